@@ -1,0 +1,18 @@
+//! The prover's exact algebra: integers, multiquadratic fields, polynomials, and prime fields to guess with.
+//!
+//! Unlike `exact`, which is short, this is made to compute with: field elements are vectors of integers over
+//! one common denominator, polynomials are sorted by a monomial order, and every operation has its operator.
+
+mod convert;
+mod field;
+mod integer;
+mod monomial;
+mod polynomial;
+mod prime_field;
+
+pub use convert::{polynomial_from_exact, polynomial_to_exact};
+pub use field::{FieldElement, MultiquadraticField};
+pub use integer::{BACKEND, Integer};
+pub use monomial::Monomial;
+pub use polynomial::Polynomial;
+pub use prime_field::{PrimeField, splitting_primes};

@@ -1,0 +1,9 @@
+//! Bernstein forms, control nets and the condition that a patch lies on a surface.
+
+mod arc;
+mod bernstein;
+mod surface_condition;
+
+pub use arc::RationalArc;
+pub use bernstein::{BernsteinForm, binomial};
+pub use surface_condition::surface_condition;

@@ -1,0 +1,75 @@
+//! The built-in statements, by name.
+//!
+//! The caps are *derived*: their files are written from the geometry each time they are asked for, so that no
+//! control point of theirs is typed in. The positive controls are files.
+
+mod cap;
+mod spell;
+mod symmetry;
+
+pub use cap::{Cap, Interior};
+pub use spell::spell;
+
+/// A built-in statement.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// The name on the command line.
+    pub name: &'static str,
+    /// One line about it.
+    pub summary: &'static str,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    Cap(Cap),
+    File(&'static str),
+}
+
+const fn cap(name: &'static str, summary: &'static str, m: u32, n: u32, interior: Interior) -> Entry {
+    Entry { name, summary, kind: Kind::Cap(Cap { bidegree: (m, n), interior, corner_weight: false }) }
+}
+
+/// All built-in statements.
+pub const ENTRIES: &[Entry] = &[
+    cap("cap-2x2", "the paper's patch: biquadratic, centre on the axis", 2, 2, Interior::OnAxis),
+    cap("cap-2x2-centre", "biquadratic, centre anywhere (without the paper's Eq. 9)", 2, 2, Interior::Free),
+    Entry {
+        name: "cap-2x2-weights",
+        summary: "biquadratic, centre and corner weights free: every biquadratic patch of this cap",
+        kind: Kind::Cap(Cap { bidegree: (2, 2), interior: Interior::Free, corner_weight: true }),
+    },
+    cap("cap-3x3-d4", "bicubic with the symmetry of the square", 3, 3, Interior::D4),
+    cap("cap-3x3-c4", "bicubic with the rotations of the square", 3, 3, Interior::C4),
+    cap("cap-3x2", "bidegree (3,2), no symmetry", 3, 2, Interior::Free),
+    Entry {
+        name: "octant",
+        summary: "positive control: degenerate octant, biquadratic, centre unknown",
+        kind: Kind::File(include_str!("statements/octant.toml")),
+    },
+    Entry {
+        name: "stereographic",
+        summary: "positive control: cap bounded by four small circles, biquadratic, centre unknown",
+        kind: Kind::File(include_str!("statements/stereographic.toml")),
+    },
+];
+
+impl Entry {
+    /// The statement file.
+    pub fn statement(&self) -> String {
+        match self.kind {
+            Kind::Cap(cap) => cap.statement(),
+            Kind::File(text) => text.to_owned(),
+        }
+    }
+
+    /// Whether the patch is to cover the cap over the cube face, bounded by the paper's four arcs.
+    pub fn is_cap(&self) -> bool {
+        matches!(self.kind, Kind::Cap(_))
+    }
+}
+
+/// The built-in statement with this name.
+pub fn find(name: &str) -> Option<&'static Entry> {
+    ENTRIES.iter().find(|entry| entry.name == name)
+}

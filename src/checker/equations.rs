@@ -1,0 +1,107 @@
+//! The equations of a statement, derived from it.
+//!
+//! For a patch: put u = t/(1+t), v = s/(1+s) into the Bernstein polynomials and multiply by (1+t)^m (1+s)^n.
+//! What is left of X is X̂(t,s) = Σ C(m,i) C(n,j) X_ij tⁱ sʲ, and of F(X,Y,Z,W), of degree e, a polynomial of
+//! degree (em, en) in t and s. Undoing the substitution turns tʳ sˢ into uʳ(1−u)^(em−r) · vˢ(1−v)^(en−s), so
+//! c[r,s] is its coefficient. These products are linearly independent: F vanishes on the patch, as a
+//! polynomial, iff every c[r,s] is zero.
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::One;
+
+use crate::certificate::Premise;
+use crate::exact::{Limit, Monomial, Polynomial, Work};
+use crate::statement::{Patch, Statement, Subject};
+
+/// The parameters t and s, beyond any unknown a statement can have.
+const T: u16 = u16::MAX - 1;
+const S: u16 = u16::MAX;
+
+/// Every polynomial a certificate may use as a premise, by its name.
+#[derive(Debug, Clone)]
+pub struct Equations {
+    by_name: BTreeMap<Premise, Polynomial>,
+}
+
+impl Equations {
+    /// Derives the equations.
+    pub fn of(statement: &Statement, work: &mut Work) -> Result<Self, Limit> {
+        let mut by_name = match statement.subject() {
+            Subject::Patch(patch) => coefficients(statement, patch, work)?,
+            Subject::System(polynomials) => {
+                (1..).map(Premise::Equation).zip(polynomials.iter().cloned()).collect()
+            }
+        };
+        for (number, assumed) in (1u32..).zip(statement.nonzero()) {
+            by_name.insert(Premise::Nonzero(number), rabinowitsch(statement, number, assumed, work)?);
+        }
+        Ok(Equations { by_name })
+    }
+
+    /// The polynomial with this name.
+    pub fn get(&self, premise: Premise) -> Option<&Polynomial> {
+        self.by_name.get(&premise)
+    }
+
+    /// All of them, in the order of their names.
+    pub fn iter(&self) -> impl Iterator<Item = (Premise, &Polynomial)> {
+        self.by_name.iter().map(|(&name, polynomial)| (name, polynomial))
+    }
+}
+
+/// d·t[k] − 1, which has a zero in t[k] exactly where d ≠ 0.
+fn rabinowitsch(statement: &Statement, number: u32, assumed: &Polynomial, work: &mut Work) -> Result<Polynomial, Limit> {
+    // t[1] is the variable after the last unknown.
+    let index = u32::try_from(statement.unknowns().len()).ok().and_then(|count| count.checked_add(number));
+    let index = index.and_then(|index| u16::try_from(index.checked_sub(1)?).ok()).unwrap_or(T);
+    let product = assumed.multiply(&Polynomial::variable(index), statement.field(), work)?;
+    product.add(&Polynomial::integer(-1), work)
+}
+
+fn coefficients(
+    statement: &Statement,
+    patch: &Patch,
+    work: &mut Work,
+) -> Result<BTreeMap<Premise, Polynomial>, Limit> {
+    let (m, n) = patch.bidegree;
+    let mut coordinates = vec![Polynomial::zero(); 4];
+    for (i, row) in (0u32..).zip(&patch.net) {
+        for (j, point) in (0u32..).zip(row) {
+            let binomials = BigRational::from_integer(binomial(m, i) * binomial(n, j));
+            let weight = Polynomial::term(binomials, parameters(i, j)?);
+            for (sum, entry) in coordinates.iter_mut().zip(point) {
+                let product = entry.multiply(&weight, statement.field(), work)?;
+                *sum = sum.add(&product, work)?;
+            }
+        }
+    }
+    let expanded = patch.surface.substitute(&coordinates, statement.field(), work)?;
+
+    let degree = patch.surface.degree();
+    let (last_r, last_s) = (m.saturating_mul(degree), n.saturating_mul(degree));
+    let mut collected: BTreeMap<Premise, Vec<(Monomial, BigRational)>> = BTreeMap::new();
+    for r in 0..=last_r {
+        collected.extend((0..=last_s).map(|s| (Premise::Coefficient(r, s), Vec::new())));
+    }
+    for (monomial, coefficient) in expanded.terms() {
+        let (of_unknowns, of_parameters) = monomial.split(T);
+        let name = Premise::Coefficient(of_parameters.exponent(T), of_parameters.exponent(S));
+        collected.entry(name).or_default().push((of_unknowns, coefficient.clone()));
+    }
+    Ok(collected.into_iter().map(|(name, terms)| (name, Polynomial::from_terms(terms))).collect())
+}
+
+/// tⁱ sʲ.
+fn parameters(i: u32, j: u32) -> Result<Monomial, Limit> {
+    let powers = [(T, i), (S, j)].into_iter().filter(|&(_, exponent)| exponent > 0).collect();
+    Monomial::new(0, powers).unwrap_or_else(|| Ok(Monomial::one()))
+}
+
+/// The binomial coefficient C(n, k), by Pascal's product: each partial product is a binomial coefficient.
+fn binomial(n: u32, k: u32) -> BigInt {
+    let steps = (0..k).map(|i| (BigInt::from(n) - BigInt::from(i), BigInt::from(i) + BigInt::one()));
+    steps.fold(BigInt::one(), |product, (factor, divisor)| product * factor / divisor)
+}

@@ -1,0 +1,132 @@
+//! Why a certificate was not accepted.
+
+use std::fmt;
+
+use crate::certificate::{CertificateError, Premise};
+use crate::exact::Limit;
+use crate::statement::StatementError;
+
+/// Why there is no theorem.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+#[allow(missing_docs, reason = "the fields are what the message prints")]
+pub enum CheckError {
+    /// The statement cannot be read.
+    Statement(StatementError),
+    /// The certificate cannot be read.
+    Certificate(CertificateError),
+    /// A limit was reached while replaying.
+    Limit(Limit),
+    /// The certificate does not prove its claim.
+    Rejected(Rejection),
+}
+
+/// What is wrong with a well-formed certificate.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+#[allow(missing_docs, reason = "the fields are what the message prints")]
+pub enum Rejection {
+    /// The certificate is for a statement with another hash.
+    OtherStatement { expected: String, actual: String },
+    /// A premise that the statement does not have.
+    NoSuchPremise { step: usize, premise: Premise },
+    /// A premise that is the zero polynomial.
+    ZeroPremise { step: usize, premise: Premise },
+    /// A premise that equals an earlier one of another name.
+    SamePremise { step: usize, premise: Premise, earlier: Premise },
+    /// The combination does not come to the stated conclusion.
+    WrongConclusion { step: usize, expected: String, actual: String },
+    /// A conclusion that is zero.
+    ZeroConclusion { step: usize },
+    /// A conclusion that is an equation of the statement or an earlier conclusion.
+    RepeatedConclusion { step: usize, earlier: Premise },
+    /// A step that no later one uses.
+    UnusedStep { step: usize },
+    /// No step at all.
+    NoSteps,
+    /// The last conclusion is not 1.
+    LastConclusion { step: usize, actual: String },
+    /// An equation that does not vanish at the stated values.
+    NotAZero { equation: Premise, actual: String },
+    /// An assumption that vanishes at the stated values.
+    AssumptionVanishes { assumption: Premise },
+    /// A patch whose denominator W is the zero polynomial at the stated values.
+    NoDenominator,
+}
+
+impl fmt::Display for Rejection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Rejection::OtherStatement { expected, actual } => {
+                write!(f, "the certificate is for another statement\nexpected  sha256 {expected}\nactual    sha256 {actual}")
+            }
+            Rejection::NoSuchPremise { step, premise } => {
+                write!(f, "step {step}: the statement has no {premise}")
+            }
+            Rejection::ZeroPremise { step, premise } => {
+                write!(f, "step {step}: premise {premise} is the zero polynomial")
+            }
+            Rejection::SamePremise { step, premise, earlier } => {
+                write!(f, "step {step}: premise {premise} equals {earlier}, expected the earlier name")
+            }
+            Rejection::WrongConclusion { step, expected, actual } => {
+                write!(f, "step {step}: the conclusion is wrong\nexpected  {expected}\nactual    {actual}")
+            }
+            Rejection::ZeroConclusion { step } => write!(f, "step {step}: the conclusion is 0"),
+            Rejection::RepeatedConclusion { step, earlier } => {
+                write!(f, "step {step}: the conclusion is that of {earlier}")
+            }
+            Rejection::UnusedStep { step } => write!(f, "step {step}: no later step uses it"),
+            Rejection::NoSteps => write!(f, "there is no step\nexpected  a last conclusion 1\nactual    none"),
+            Rejection::LastConclusion { step, actual } => {
+                write!(f, "step {step}: the last conclusion is not 1\nexpected  1\nactual    {actual}")
+            }
+            Rejection::NotAZero { equation, actual } => {
+                write!(f, "{equation} does not vanish at these values\nexpected  0\nactual    {actual}")
+            }
+            Rejection::AssumptionVanishes { assumption } => {
+                write!(f, "the assumption of {assumption} fails: it vanishes at these values")
+            }
+            Rejection::NoDenominator => {
+                write!(f, "the denominator W of the patch is the zero polynomial at these values")
+            }
+        }
+    }
+}
+
+impl fmt::Display for CheckError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CheckError::Statement(error) => error.fmt(f),
+            CheckError::Certificate(error) => error.fmt(f),
+            CheckError::Limit(limit) => limit.fmt(f),
+            CheckError::Rejected(rejection) => rejection.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for CheckError {}
+
+impl From<StatementError> for CheckError {
+    fn from(error: StatementError) -> Self {
+        CheckError::Statement(error)
+    }
+}
+
+impl From<CertificateError> for CheckError {
+    fn from(error: CertificateError) -> Self {
+        CheckError::Certificate(error)
+    }
+}
+
+impl From<Limit> for CheckError {
+    fn from(limit: Limit) -> Self {
+        CheckError::Limit(limit)
+    }
+}
+
+impl From<Rejection> for CheckError {
+    fn from(rejection: Rejection) -> Self {
+        CheckError::Rejected(rejection)
+    }
+}

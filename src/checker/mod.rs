@@ -1,0 +1,45 @@
+//! The independent checker: replays a certificate against a statement and returns a [`Theorem`].
+//!
+//! It derives the equations from the statement itself, by substitution into the surface polynomial, and
+//! multiplies out what the certificate says. It knows no monomial order, no division and no elimination,
+//! and shares no code with the prover.
+
+mod equations;
+mod error;
+mod net;
+mod replay;
+mod theorem;
+
+pub use equations::Equations;
+pub use error::{CheckError, Rejection};
+pub use theorem::{Claim, Theorem};
+
+use crate::certificate::{Argument, Certificate};
+use crate::exact::Work;
+use crate::statement::Statement;
+
+/// Checks the bytes of a certificate file against the bytes of a statement file.
+///
+/// # Errors
+/// [`CheckError::Rejected`] where the certificate is well formed and does not prove its claim; the other
+/// variants where a file cannot be read or reaches a limit, which says nothing about the claim.
+pub fn check(statement: &[u8], certificate: &[u8]) -> Result<Theorem, CheckError> {
+    let statement = Statement::read_bytes(statement)?;
+    let certificate = Certificate::read(certificate, &statement.ring(), statement.unknowns().len())?;
+    check_read(&statement, &certificate)
+}
+
+/// Checks a certificate against a statement, both read already.
+pub fn check_read(statement: &Statement, certificate: &Certificate) -> Result<Theorem, CheckError> {
+    let expected = statement.hash();
+    if certificate.statement != expected {
+        let actual = certificate.statement.clone();
+        return Err(Rejection::OtherStatement { expected, actual }.into());
+    }
+    let mut work = Work::full();
+    let equations = Equations::of(statement, &mut work)?;
+    match &certificate.argument {
+        Argument::Impossible(steps) => replay::replay(statement, &equations, steps, &mut work),
+        Argument::Exact(values) => net::verify(statement, &equations, values, &mut work),
+    }
+}

@@ -1,0 +1,110 @@
+//! What a completed check establishes, as a value that nothing else can make.
+
+use std::fmt;
+
+use crate::exact::Polynomial;
+use crate::statement::{HomogeneousPoint, Statement, Subject};
+
+/// A proved claim about a statement. Only a completed replay constructs one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Theorem {
+    statement: Statement,
+    claim: Claim,
+}
+
+/// What was proved.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Claim {
+    /// The equations and assumptions of the statement have no common zero over any field containing K.
+    Impossible {
+        /// Steps replayed.
+        steps: usize,
+        /// Terms of all multipliers.
+        multiplier_terms: usize,
+    },
+    /// At these values the patch lies on the surface.
+    Exact {
+        /// The value of each unknown, a constant of K.
+        values: Vec<Polynomial>,
+        /// The control net at these values: rows i = 0..m along u, points j = 0..n along v.
+        net: Vec<Vec<HomogeneousPoint>>,
+        /// Whether every weight is positive, so that the patch is defined on the whole closed square.
+        weights_positive: bool,
+    },
+    /// These values solve the system.
+    Solution {
+        /// The value of each unknown, a constant of K.
+        values: Vec<Polynomial>,
+    },
+}
+
+impl Theorem {
+    pub(super) fn established(statement: &Statement, claim: Claim) -> Self {
+        Theorem { statement: statement.clone(), claim }
+    }
+
+    /// The statement.
+    pub fn statement(&self) -> &Statement {
+        &self.statement
+    }
+
+    /// The claim.
+    pub fn claim(&self) -> &Claim {
+        &self.claim
+    }
+
+    /// What was proved, as sentences.
+    pub fn sentence(&self) -> String {
+        let field = self.statement.field();
+        let ring = self.statement.ring();
+        let assumed: Vec<String> =
+            self.statement.nonzero().iter().map(|polynomial| format!("{} ≠ 0", ring.spell(polynomial))).collect();
+        let assuming = if assumed.is_empty() { String::new() } else { format!(" with {}", assumed.join(", ")) };
+        let unknowns = match self.statement.unknowns() {
+            [] => "There being no unknowns".to_owned(),
+            [one] => format!("For no value of {one}{assuming}, real or complex"),
+            many => format!("For no values of {}{assuming}, real or complex", many.join(", ")),
+        };
+        match (self.statement.subject(), &self.claim) {
+            (Subject::Patch(patch), Claim::Impossible { .. }) => {
+                let degree = patch.surface.degree();
+                let (m, n) = patch.bidegree;
+                let count = count_coefficients(m.saturating_mul(degree), n.saturating_mul(degree));
+                let surface = self.statement.coordinate_ring().spell(&patch.surface);
+                format!(
+                    "{unknowns}, does this rational Bézier patch of bidegree ({m},{n}) lie on the surface \
+                     {surface} = 0: its {count} coefficients c[r,s] have no common zero over any field \
+                     containing {field}{}.",
+                    if unknowns.starts_with("For") { assuming } else { String::new() }
+                )
+            }
+            (Subject::System(polynomials), Claim::Impossible { .. }) => format!(
+                "The {} polynomials have no common zero{assuming} over any field containing {field}.",
+                polynomials.len()
+            ),
+            (_, Claim::Exact { values, weights_positive, .. }) => {
+                let at = if values.is_empty() { "As it stands" } else { "At the stated values" };
+                let defined = if *weights_positive {
+                    "Every weight is positive, so the patch is defined on the whole square."
+                } else {
+                    "Not every weight is positive; that the denominator vanishes nowhere on the square is not claimed."
+                };
+                format!("{at} every point of the patch whose denominator is not zero lies on the surface. {defined}")
+            }
+            (_, Claim::Solution { .. }) => {
+                format!("The stated values in {field} solve the system{assuming}.")
+            }
+        }
+    }
+}
+
+fn count_coefficients(r: u32, s: u32) -> u64 {
+    u64::from(r).saturating_add(1).saturating_mul(u64::from(s).saturating_add(1))
+}
+
+impl fmt::Display for Theorem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.sentence())
+    }
+}

@@ -1,0 +1,153 @@
+//! The command line of the full build.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use super::outcome::{Failure, Outcome, Status};
+use super::{check, expand, list, prove};
+use crate::report::Basis;
+
+/// The statement that is proved when nothing else is asked for: the paper's theorem.
+const DEFAULT: &str = "cap-2x2";
+
+/// Can this rational Bézier patch lie exactly on that surface, for any values of its unknowns?
+///
+/// Answers PROVED (impossible, with a certificate), EXACT (with a control net) or UNDECIDED. Without a command it
+/// proves the paper's theorem, cap-2x2: no biquadratic rational patch represents the spherical cap over one face of
+/// the inscribed cube.
+#[derive(Debug, Parser)]
+#[command(version, max_term_width = 110, args_conflicts_with_subcommands = true)]
+#[command(after_help = "Exit status and first word: 0 VERIFIED, PROVED, EXACT; 1 REJECTED; 2 ERROR; 3 UNDECIDED.")]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    options: ProveOptions,
+    /// How results are printed.
+    #[arg(long, value_enum, default_value_t = Format::Text, global = true)]
+    format: Format,
+}
+
+#[derive(Debug, Args)]
+struct ProveOptions {
+    /// Where statement.toml and certificate.txt are written [default: proofs/NAME].
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Stop after this many seconds, UNDECIDED.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    timeout: Option<Duration>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Prove a statement, write its certificate and check it.
+    Prove {
+        /// A built-in statement (see `list`) or a statement file [default: cap-2x2].
+        #[arg(value_name = "NAME|FILE")]
+        source: Option<PathBuf>,
+        #[command(flatten)]
+        options: ProveOptions,
+    },
+    /// Replay a certificate against a statement with the independent checker.
+    Check {
+        /// The statement file.
+        statement: PathBuf,
+        /// The certificate file.
+        certificate: PathBuf,
+    },
+    /// Print the canonical text of a statement, whose SHA-256 certificates name.
+    Canonical {
+        /// The statement file.
+        statement: PathBuf,
+    },
+    /// Print the coefficients of the condition that the patch lies on the surface.
+    Expand {
+        /// A built-in statement (see `list`) or a statement file.
+        #[arg(value_name = "NAME|FILE")]
+        source: PathBuf,
+        /// The basis of the polynomials in u and v.
+        #[arg(long, value_enum, default_value_t = BasisName::Bernstein)]
+        basis: BasisName,
+    },
+    /// List the built-in statements.
+    List,
+}
+
+/// How results are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// For people.
+    Text,
+    /// As data; polynomials and numbers are strings in the canonical spelling.
+    Json,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum BasisName {
+    /// c[r,s], coefficients of uʳ(1−u)^(M−r)·vˢ(1−v)^(N−s).
+    Bernstein,
+    /// a[i,j], coefficients of uⁱvʲ; the paper's a1, …, a16 where they apply.
+    Monomial,
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds: f64 = text.parse().map_err(|_| "expected a number of seconds".to_owned())?;
+    Duration::try_from_secs_f64(seconds).map_err(|_| "expected a number of seconds from 0".to_owned())
+}
+
+/// Pretty JSON with a final newline.
+pub(super) fn to_json(data: &impl serde::Serialize) -> Result<String, Failure> {
+    serde_json::to_string_pretty(data).map(|text| text + "\n").map_err(Failure::of)
+}
+
+/// Carries out the command line.
+pub fn run() -> Result<Outcome, Failure> {
+    let line = match CommandLine::try_parse() {
+        Ok(line) => line,
+        // --help and --version arrive as errors that go to stdout.
+        Err(error) if !error.use_stderr() => return Ok(Outcome::plain(error.render().to_string())),
+        Err(error) => {
+            let message = error.render().to_string();
+            return Err(Failure(message.trim_start_matches("error: ").to_owned()));
+        }
+    };
+    let format = line.format;
+    let prove = |source: Option<PathBuf>, options: ProveOptions| {
+        let source = source.unwrap_or_else(|| PathBuf::from(DEFAULT));
+        prove::run(&source, options.output.as_deref(), options.timeout, format)
+    };
+    match line.command {
+        None => prove(None, line.options),
+        Some(Command::Prove { source, options }) => prove(source, options),
+        Some(Command::Check { statement, certificate }) => match format {
+            Format::Text => check::run(&statement, &certificate),
+            Format::Json => check_as_data(&statement, &certificate),
+        },
+        Some(Command::Canonical { statement }) => check::canonical(&statement),
+        Some(Command::Expand { source, basis }) => {
+            let basis = match basis {
+                BasisName::Bernstein => Basis::Bernstein,
+                BasisName::Monomial => Basis::Monomial,
+            };
+            expand::run(&source, basis, format)
+        }
+        Some(Command::List) => list::run(format),
+    }
+}
+
+fn check_as_data(statement: &std::path::Path, certificate: &std::path::Path) -> Result<Outcome, Failure> {
+    let (data, status) = match check::examine(statement, certificate)? {
+        Ok(theorem) => (
+            serde_json::json!({
+                "verdict": "VERIFIED",
+                "theorem": theorem.sentence(),
+                "statement": crate::report::json::statement(theorem.statement()),
+            }),
+            Status::Established,
+        ),
+        Err(rejection) => (serde_json::json!({ "verdict": "REJECTED", "reason": rejection }), Status::Wrong),
+    };
+    Ok(Outcome { text: to_json(&data)?, status })
+}

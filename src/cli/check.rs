@@ -1,0 +1,77 @@
+//! `prove-cap check STATEMENT CERTIFICATE` and `prove-cap canonical STATEMENT`: the trusted commands.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::outcome::{Failure, Outcome, Status};
+use crate::checker::{CheckError, Claim, Theorem, check};
+use crate::exact::limits;
+use crate::statement::Statement;
+
+/// Reads a file, but not more than one byte beyond its limit.
+pub(super) fn read_limited(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
+    let cannot = |error: std::io::Error| Failure(format!("{}: cannot be read: {error}", path.display()));
+    let file = File::open(path).map_err(cannot)?;
+    let mut bytes = Vec::new();
+    file.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(cannot)?;
+    Ok(bytes)
+}
+
+/// What the checker says of two files.
+pub(super) fn examine(statement: &Path, certificate: &Path) -> Result<Result<Theorem, String>, Failure> {
+    let statement_bytes = read_limited(statement, limits::STATEMENT_BYTES)?;
+    let certificate_bytes = read_limited(certificate, limits::CERTIFICATE_BYTES)?;
+    match check(&statement_bytes, &certificate_bytes) {
+        Ok(theorem) => Ok(Ok(theorem)),
+        Err(CheckError::Rejected(rejection)) => Ok(Err(rejection.to_string())),
+        Err(CheckError::Statement(error)) => Err(Failure(format!("{}:{error}", statement.display()))),
+        Err(CheckError::Certificate(error)) => Err(Failure(format!("{}:{error}", certificate.display()))),
+        Err(CheckError::Limit(limit)) => Err(Failure(format!("{}: {limit}", certificate.display()))),
+    }
+}
+
+/// `check`.
+pub fn run(statement: &Path, certificate: &Path) -> Result<Outcome, Failure> {
+    Ok(match examine(statement, certificate)? {
+        Ok(theorem) => Outcome { text: verified(&theorem), status: Status::Established },
+        Err(rejection) => Outcome {
+            text: format!("REJECTED  {}: {rejection}\n", certificate.display()),
+            status: Status::Wrong,
+        },
+    })
+}
+
+/// `canonical`.
+pub fn canonical(statement: &Path) -> Result<Outcome, Failure> {
+    let bytes = read_limited(statement, limits::STATEMENT_BYTES)?;
+    let read = Statement::read_bytes(&bytes).map_err(|error| Failure(format!("{}:{error}", statement.display())))?;
+    Ok(Outcome::plain(read.canonical()))
+}
+
+fn verified(theorem: &Theorem) -> String {
+    let statement = theorem.statement();
+    let mut lines = vec![match theorem.claim() {
+        Claim::Impossible { .. } => "VERIFIED  impossible".to_owned(),
+        Claim::Exact { .. } => "VERIFIED  exact".to_owned(),
+        Claim::Solution { .. } => "VERIFIED  solution".to_owned(),
+    }];
+    lines.push(String::new());
+    lines.push(theorem.sentence());
+    lines.push(String::new());
+    lines.push(format!("title      {} (not checked)", statement.title()));
+    lines.push(format!("statement  sha256 {}", statement.hash()));
+    match theorem.claim() {
+        Claim::Impossible { steps, multiplier_terms } => {
+            lines.push(format!("replayed   {steps} steps with {multiplier_terms} terms in their multipliers"));
+        }
+        Claim::Exact { values, .. } | Claim::Solution { values } => {
+            let ring = statement.ring();
+            for (name, value) in statement.unknowns().iter().zip(values) {
+                lines.push(format!("value      {name} = {}", ring.spell(value)));
+            }
+        }
+    }
+    lines.push(String::new());
+    lines.join("\n")
+}

@@ -1,0 +1,22 @@
+//! The command line: one file for each subcommand, and the only place that prints or exits.
+
+pub mod check;
+pub mod outcome;
+
+#[cfg(feature = "prover")]
+mod arguments;
+#[cfg(not(feature = "prover"))]
+mod checker_only;
+#[cfg(feature = "prover")]
+mod expand;
+#[cfg(feature = "prover")]
+mod list;
+#[cfg(feature = "prover")]
+mod prove;
+#[cfg(feature = "prover")]
+mod source;
+
+#[cfg(feature = "prover")]
+pub use arguments::run;
+#[cfg(not(feature = "prover"))]
+pub use checker_only::run;

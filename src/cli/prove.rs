@@ -1,0 +1,85 @@
+//! `prove-cap prove [NAME|FILE]`: prove a statement, write statement and certificate, check what was written.
+
+use std::fs;
+use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use super::arguments::{Format, to_json};
+use super::check::examine;
+use super::outcome::{Failure, Outcome, Status};
+use super::source::Source;
+use crate::checker::Claim;
+use crate::elimination::{Control, Progress};
+use crate::prove::{Attempt, prove};
+use crate::report::{Files, describe, json};
+
+static CANCELLED: AtomicBool = AtomicBool::new(false);
+
+pub(super) fn run(
+    name_or_file: &Path,
+    directory: Option<&Path>,
+    timeout: Option<Duration>,
+    format: Format,
+) -> Result<Outcome, Failure> {
+    let source = Source::find(name_or_file)?;
+    ctrlc::set_handler(|| CANCELLED.store(true, Ordering::Relaxed)).map_err(Failure::of)?;
+    let show = |progress: &Progress| {
+        // One line, overwritten: there is no use for it in a file.
+        let _ = write!(std::io::stderr().lock(), "\r\x1b[K{progress}");
+    };
+    let terminal = std::io::stderr().is_terminal();
+    let control = Control {
+        deadline: timeout.and_then(|timeout| Instant::now().checked_add(timeout)),
+        cancelled: Some(&CANCELLED),
+        observer: if terminal { Some(&show) } else { None },
+    };
+    let attempt = prove(&source.statement, &control);
+    if terminal {
+        let _ = write!(std::io::stderr().lock(), "\r\x1b[K");
+    }
+    let attempt = attempt.map_err(Failure::of)?;
+    let directory = directory.map_or_else(|| source.default_directory(), Path::to_path_buf);
+    let files = match &attempt {
+        Attempt::Proved { certificate, .. } => {
+            Some(write_and_check(&directory, &source.text, &certificate.write(&source.statement.ring()))?)
+        }
+        Attempt::Undecided(_) => None,
+    };
+    let text = match format {
+        Format::Text => describe(&source.name, &source.statement, source.cap, &attempt, files.as_ref()).map_err(Failure::of)?,
+        Format::Json => {
+            let data = json::attempt(&source.name, &source.statement, &attempt, files.as_ref()).map_err(Failure::of)?;
+            to_json(&data)?
+        }
+    };
+    let status = if files.is_some() { Status::Established } else { Status::Undecided };
+    Ok(Outcome { text, status })
+}
+
+/// Writes both files and lets the independent checker judge the bytes that are on disk.
+fn write_and_check(directory: &Path, statement: &str, certificate: &str) -> Result<Files, Failure> {
+    fs::create_dir_all(directory)
+        .map_err(|error| Failure(format!("{}: cannot be created: {error}", directory.display())))?;
+    let files = Files { statement: directory.join("statement.toml"), certificate: directory.join("certificate.txt") };
+    write_atomically(directory, &files.statement, statement)?;
+    write_atomically(directory, &files.certificate, certificate)?;
+    match examine(&files.statement, &files.certificate)? {
+        Ok(theorem) if matches!(theorem.claim(), Claim::Impossible { .. } | Claim::Exact { .. } | Claim::Solution { .. }) => Ok(files),
+        Ok(_) => Err(Failure("the checker verified something else than was proved".into())),
+        Err(rejection) => Err(Failure(format!("the checker refuses the files just written: {rejection}"))),
+    }
+}
+
+/// To a temporary file beside the target, then renamed: whoever looks sees the old file or the new one.
+fn write_atomically(directory: &Path, target: &PathBuf, text: &str) -> Result<(), Failure> {
+    let cannot = |error: std::io::Error| Failure(format!("{}: cannot be written: {error}", target.display()));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".prove-cap-").suffix(".tmp");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
+    let mut file = builder.tempfile_in(directory).map_err(cannot)?;
+    file.write_all(text.as_bytes()).and_then(|()| file.as_file().sync_all()).map_err(cannot)?;
+    file.persist(target).map(|_| ()).map_err(|error| cannot(error.error))
+}

@@ -1,0 +1,51 @@
+//! NAME or FILE: a built-in statement or one of the user's.
+
+use std::path::{Path, PathBuf};
+
+use super::check::read_limited;
+use super::outcome::Failure;
+use crate::catalogue;
+use crate::exact::limits;
+use crate::statement::Statement;
+
+/// A statement with where it came from.
+pub(super) struct Source {
+    /// The built-in name, or the file's name without its ending.
+    pub name: String,
+    /// The text of the statement file.
+    pub text: String,
+    /// The statement.
+    pub statement: Statement,
+    /// Whether it is a built-in cap.
+    pub cap: bool,
+}
+
+impl Source {
+    /// Finds a built-in statement, or reads a file.
+    pub(super) fn find(name_or_file: &Path) -> Result<Source, Failure> {
+        if let Some(entry) = name_or_file.to_str().and_then(catalogue::find) {
+            let text = entry.statement();
+            let statement = Statement::read(&text).map_err(|error| Failure(format!("{}:{error}", entry.name)))?;
+            return Ok(Source { name: entry.name.to_owned(), text, statement, cap: entry.is_cap() });
+        }
+        if !name_or_file.exists() {
+            let names: Vec<&str> = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
+            return Err(Failure(format!(
+                "`{}` is neither a file nor a built-in statement\nbuilt-in: {}",
+                name_or_file.display(),
+                names.join(", ")
+            )));
+        }
+        let bytes = read_limited(name_or_file, limits::STATEMENT_BYTES)?;
+        let statement = Statement::read_bytes(&bytes)
+            .map_err(|error| Failure(format!("{}:{error}", name_or_file.display())))?;
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        let name = name_or_file.file_stem().map_or("statement".into(), |stem| stem.to_string_lossy().into_owned());
+        Ok(Source { name, text, statement, cap: false })
+    }
+
+    /// Where the proof goes unless the user says otherwise.
+    pub(super) fn default_directory(&self) -> PathBuf {
+        Path::new("proofs").join(&self.name)
+    }
+}

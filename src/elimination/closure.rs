@@ -1,0 +1,129 @@
+//! When 1 is not to be had: what the equations say instead.
+
+use super::control::{Control, Interrupted};
+use super::derivation::{Derivation, Source};
+use super::linear::Linear;
+use crate::algebra::{Monomial, Polynomial};
+
+/// A Gröbner basis (DegRevLex, after linear elimination), and what its leading monomials tell of the zeros.
+#[derive(Debug, Clone)]
+pub struct Closure {
+    /// The linear equations, each solved for a variable that occurs nowhere else.
+    pub linear: Vec<Polynomial>,
+    /// A Gröbner basis of the others, in the variables that are left.
+    pub basis: Vec<Polynomial>,
+    /// Whether Buchberger's criterion, and that every equation has normal form 0, were verified over K itself;
+    /// otherwise the basis was seen modulo a prime only.
+    pub verified: bool,
+    /// The dimension of the set of zeros over the algebraic closure.
+    pub dimension: usize,
+    /// The number of zeros there, counted with multiplicity, where it is finite.
+    pub zeros: Option<usize>,
+}
+
+impl Closure {
+    pub(super) fn of(
+        derivation: &mut Derivation<'_>,
+        linear: &Linear,
+        basis: &[Source],
+        control: &Control<'_>,
+    ) -> Result<Closure, Interrupted> {
+        let basis: Vec<Polynomial> = basis.iter().map(|&source| derivation.polynomial(source).clone()).collect();
+        let mut verified = is_groebner_basis(&basis, control)?;
+        for generator in derivation.generators() {
+            control.check()?;
+            let reduced = linear.substitute(derivation, generator);
+            verified &= reduced.is_none_or(|source| normal_form(derivation.polynomial(source), &basis).is_zero());
+        }
+        let of_basis = basis.iter().filter_map(|f| f.leading_term()).map(|(monomial, _)| monomial.clone());
+        let leading: Vec<Monomial> = linear.variables().map(Monomial::variable).chain(of_basis).collect();
+        let variables: Vec<u16> = (0..derivation.system().variables() as u16).collect();
+        let dimension = dimension(&leading, &variables);
+        let zeros = (dimension == 0).then(|| standard_monomials(&leading, &variables));
+        Ok(Closure { linear: linear.equations(derivation), basis, verified, dimension, zeros })
+    }
+}
+
+/// Buchberger's criterion over K: every S-polynomial of a critical pair has normal form 0.
+fn is_groebner_basis(basis: &[Polynomial], control: &Control<'_>) -> Result<bool, Interrupted> {
+    for (k, f) in basis.iter().enumerate() {
+        for g in &basis[..k] {
+            control.check()?;
+            let (Some((a, x)), Some((b, y))) = (f.leading_term(), g.leading_term()) else { return Ok(false) };
+            if a.is_coprime_to(b) {
+                continue;
+            }
+            let lcm = a.lcm(b);
+            let (to_f, to_g) = (lcm.quotient(a).expect("divides"), lcm.quotient(b).expect("divides"));
+            let s_polynomial = f.shifted(&to_f).scaled(y).add_scaled(&-x, &g.shifted(&to_g));
+            if !normal_form(&s_polynomial, basis).is_zero() {
+                return Ok(false);
+            }
+        }
+    }
+    Ok(true)
+}
+
+/// The remainder of the division by several polynomials (Cox, Little, O'Shea, section 2.3).
+fn normal_form(polynomial: &Polynomial, divisors: &[Polynomial]) -> Polynomial {
+    let mut rest = polynomial.clone();
+    let mut remainder = Polynomial::zero(polynomial.field());
+    while let Some((monomial, value)) = rest.leading_term().cloned() {
+        let divisor = divisors.iter().find_map(|divisor| {
+            let (leading, coefficient) = divisor.leading_term()?;
+            Some((divisor, monomial.quotient(leading)?, coefficient.inverse()?))
+        });
+        match divisor {
+            Some((divisor, quotient, inverse)) => {
+                rest = rest.add_scaled(&-&(&value * &inverse), &divisor.shifted(&quotient));
+            }
+            None => {
+                let term = Polynomial::term(value, monomial);
+                rest = rest.add_scaled(&polynomial.field().integer(-1), &term);
+                remainder = remainder.add(&term);
+            }
+        }
+    }
+    remainder
+}
+
+/// The size of the largest set of variables that no leading monomial lies in (Cox, Little, O'Shea, section 9.3).
+fn dimension(leading: &[Monomial], variables: &[u16]) -> usize {
+    // A variable that leads by itself is in no such set; one that never occurs is in all of them.
+    let free = variables.iter().filter(|&&v| leading.iter().all(|monomial| monomial.exponent(v) == 0)).count();
+    let undecided: Vec<u16> = variables
+        .iter()
+        .copied()
+        .filter(|&v| leading.iter().any(|monomial| monomial.exponent(v) > 0))
+        .filter(|&v| !leading.contains(&Monomial::variable(v)))
+        .collect();
+    free + largest_independent(leading, &undecided, &mut Vec::new())
+}
+
+fn largest_independent(leading: &[Monomial], undecided: &[u16], chosen: &mut Vec<u16>) -> usize {
+    let Some((&next, rest)) = undecided.split_first() else { return chosen.len() };
+    let without = largest_independent(leading, rest, chosen);
+    chosen.push(next);
+    let inside = |monomial: &Monomial| monomial.powers().iter().all(|(v, _)| chosen.contains(v));
+    let with = if leading.iter().any(inside) { 0 } else { largest_independent(leading, rest, chosen) };
+    chosen.pop();
+    with.max(without)
+}
+
+/// How many monomials no leading monomial divides; finite in dimension 0.
+fn standard_monomials(leading: &[Monomial], variables: &[u16]) -> usize {
+    let mut count = 0;
+    let mut layer = vec![Monomial::one()];
+    while !layer.is_empty() {
+        count += layer.len();
+        let mut next: Vec<Monomial> = layer
+            .iter()
+            .flat_map(|monomial| variables.iter().map(|&v| monomial.product(&Monomial::variable(v))))
+            .filter(|monomial| leading.iter().all(|other| monomial.quotient(other).is_none()))
+            .collect();
+        next.sort();
+        next.dedup();
+        layer = next;
+    }
+    count
+}

@@ -1,0 +1,122 @@
+//! The record of what was derived from what.
+
+use std::collections::{BTreeMap, HashMap};
+
+use super::system::System;
+use crate::algebra::{FieldElement, Monomial, Polynomial};
+use crate::certificate::Premise;
+
+/// A polynomial of the ideal: given, or derived earlier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Source {
+    /// An equation of the system, by its position.
+    Generator(usize),
+    /// A derived polynomial, by its position.
+    Derived(usize),
+}
+
+/// Σ multiplier · source = conclusion.
+#[derive(Debug, Clone)]
+pub struct DerivedStep {
+    /// Sources with their multipliers.
+    pub combination: Vec<(Source, Polynomial)>,
+    /// The sum.
+    pub conclusion: Polynomial,
+}
+
+/// A growing list of exact linear combinations over a system.
+#[derive(Debug, Clone)]
+pub struct Derivation<'a> {
+    system: &'a System,
+    steps: Vec<DerivedStep>,
+    known: HashMap<Polynomial, Source>,
+}
+
+impl<'a> Derivation<'a> {
+    /// Nothing derived yet.
+    pub fn new(system: &'a System) -> Self {
+        let generators = system.generators().iter().enumerate();
+        let known = generators.map(|(k, (_, polynomial))| (polynomial.clone(), Source::Generator(k))).collect();
+        Derivation { system, steps: Vec::new(), known }
+    }
+
+    /// The system.
+    pub fn system(&self) -> &'a System {
+        self.system
+    }
+
+    /// All equations of the system.
+    pub fn generators(&self) -> Vec<Source> {
+        (0..self.system.generators().len()).map(Source::Generator).collect()
+    }
+
+    /// The polynomial.
+    pub fn polynomial(&self, source: Source) -> &Polynomial {
+        match source {
+            Source::Generator(k) => &self.system.generators()[k].1,
+            Source::Derived(k) => &self.steps[k].conclusion,
+        }
+    }
+
+    /// Records a combination and returns what it comes to; `None` where that is zero.
+    /// A polynomial that is known already is not recorded again.
+    pub fn derive(&mut self, combination: Vec<(Source, Polynomial)>) -> Option<Source> {
+        let mut merged: BTreeMap<Source, Polynomial> = BTreeMap::new();
+        for (source, multiplier) in combination {
+            let sum = merged.entry(source).or_insert_with(|| Polynomial::zero(self.system.field()));
+            *sum = sum.add(&multiplier);
+        }
+        merged.retain(|_, multiplier| !multiplier.is_zero());
+        let products = merged.iter().map(|(&source, multiplier)| multiplier.multiply(self.polynomial(source)));
+        let terms: Vec<_> = products.flat_map(|product| product.terms().to_vec()).collect();
+        let conclusion = Polynomial::from_terms(self.system.field(), terms);
+        if conclusion.is_zero() {
+            return None;
+        }
+        if let Some(&source) = self.known.get(&conclusion) {
+            return Some(source);
+        }
+        let source = Source::Derived(self.steps.len());
+        self.known.insert(conclusion.clone(), source);
+        self.steps.push(DerivedStep { combination: merged.into_iter().collect(), conclusion });
+        Some(source)
+    }
+
+    /// Records factor · source.
+    pub fn derive_scaled(&mut self, source: Source, factor: FieldElement) -> Option<Source> {
+        self.derive(vec![(source, Polynomial::term(factor, Monomial::one()))])
+    }
+
+    /// The steps that `target` depends on, in order, each given by named premises, `target`'s own last.
+    /// `None` if the target is an equation of the system itself.
+    pub fn proof_of(&self, target: Source) -> Option<Vec<(Vec<(Premise, Polynomial)>, Polynomial)>> {
+        let Source::Derived(last) = target else { return None };
+        let mut needed = vec![false; last + 1];
+        needed[last] = true;
+        for k in (0..=last).rev().filter(|&k| k <= last) {
+            if needed[k] {
+                for (source, _) in &self.steps[k].combination {
+                    if let Source::Derived(earlier) = source {
+                        needed[*earlier] = true;
+                    }
+                }
+            }
+        }
+        let mut numbers = HashMap::new();
+        let mut proof = Vec::new();
+        for k in (0..=last).filter(|&k| needed[k]) {
+            let named = |(source, multiplier): &(Source, Polynomial)| {
+                let premise = match source {
+                    Source::Generator(g) => self.system.generators()[*g].0,
+                    Source::Derived(d) => Premise::Step(numbers[d]),
+                };
+                (premise, multiplier.clone())
+            };
+            let mut combination: Vec<_> = self.steps[k].combination.iter().map(named).collect();
+            combination.sort_by_key(|(premise, _)| *premise);
+            proof.push((combination, self.steps[k].conclusion.clone()));
+            numbers.insert(k, u32::try_from(proof.len()).expect("fewer than 2³² steps"));
+        }
+        Some(proof)
+    }
+}

@@ -1,0 +1,91 @@
+//! Elimination: from equations to 1, with every step accounted for.
+//!
+//! 1. Linear equations are solved exactly and substituted into the others (`linear`).
+//! 2. What is left is treated degree by degree: multiples of the equations are reduced modulo a prime, which
+//!    is fast and shows *which* multiples matter (`macaulay`, `echelon`).
+//! 3. Only those are combined exactly over K (`lift`). A polynomial whose degree fell is kept and multiplied
+//!    again; a linear one sends us back to 1.
+//!
+//! Everything derived is recorded as a linear combination of what it came from (`derivation`), so that the
+//! certificate is the part of that record the 1 depends on. Primes may mislead the search, never the proof.
+
+mod closure;
+mod control;
+mod derivation;
+mod echelon;
+mod lift;
+mod linear;
+mod macaulay;
+mod system;
+
+pub use closure::Closure;
+pub use control::{Control, Interrupted, Progress};
+pub use derivation::{Derivation, DerivedStep, Source};
+pub use system::System;
+
+use crate::algebra::FieldElement;
+use linear::{Absorbed, Linear};
+use macaulay::{Macaulay, Search};
+
+/// How elimination ended.
+#[derive(Debug, Clone)]
+pub enum Outcome {
+    /// 1 is a combination of the equations: they have no common zero.
+    Unit(Source),
+    /// Every variable is determined; the equations hold at these values. By variable.
+    Point(Vec<FieldElement>),
+    /// 1 was not found.
+    Open(Undecided),
+}
+
+/// Why there is neither a certificate nor a solution.
+#[derive(Debug, Clone)]
+pub enum Undecided {
+    /// The equations have common zeros over the algebraic closure, so that no certificate exists.
+    Consistent(Closure),
+    /// The search became too large at this degree.
+    TooLarge {
+        /// The last degree that was completed.
+        degree: u32,
+        /// Rows and columns the next matrix would have.
+        matrix: (usize, usize),
+    },
+    /// Stopped by the user or by the clock.
+    Interrupted(Interrupted),
+}
+
+/// Eliminates until 1, a point, or neither is found; `derivation` then holds what was derived.
+pub fn eliminate(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Outcome {
+    match run(derivation, control) {
+        Ok(outcome) => outcome,
+        Err(interrupted) => Outcome::Open(Undecided::Interrupted(interrupted)),
+    }
+}
+
+fn run(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Result<Outcome, Interrupted> {
+    let mut linear = Linear::new();
+    let mut equations = derivation.generators();
+    loop {
+        let rest = match linear.absorb(derivation, &equations, control)? {
+            Absorbed::Unit(unit) => return Ok(Outcome::Unit(unit)),
+            Absorbed::Rest(rest) => rest,
+        };
+        control.observe(&Progress::Linear { solved: linear.len(), left: rest.len() });
+        if rest.is_empty()
+            && let Some(point) = linear.point(derivation)
+        {
+            return Ok(Outcome::Point(point));
+        }
+        match Macaulay::new(derivation, &rest).search(derivation, control)? {
+            Search::Unit(unit) => return Ok(Outcome::Unit(unit)),
+            Search::Linear(found) => equations.extend(found),
+            Search::Closed(basis) => {
+                let closure = Closure::of(derivation, &linear, &basis, control)?;
+                return Ok(Outcome::Open(Undecided::Consistent(closure)));
+            }
+            Search::TooLarge { degree, matrix } => {
+                return Ok(Outcome::Open(Undecided::TooLarge { degree, matrix }));
+            }
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! The equations to be refuted or solved, with the names a certificate knows them by.
+
+use crate::algebra::{MultiquadraticField, Polynomial};
+use crate::certificate::Premise;
+
+/// Polynomials in x₀, x₁, …, each with its name.
+#[derive(Debug, Clone)]
+pub struct System {
+    field: MultiquadraticField,
+    variables: usize,
+    generators: Vec<(Premise, Polynomial)>,
+}
+
+impl System {
+    /// The system of these equations in `variables` variables. Zero polynomials and repetitions are dropped:
+    /// a certificate uses each polynomial by its first name.
+    pub fn new(
+        field: MultiquadraticField,
+        variables: usize,
+        equations: impl IntoIterator<Item = (Premise, Polynomial)>,
+    ) -> Self {
+        let mut seen = std::collections::HashSet::new();
+        let mut generators: Vec<(Premise, Polynomial)> = equations.into_iter().collect();
+        generators.sort_by_key(|(name, _)| *name);
+        generators.retain(|(_, polynomial)| !polynomial.is_zero() && seen.insert(polynomial.clone()));
+        System { field, variables, generators }
+    }
+
+    /// K.
+    pub fn field(&self) -> MultiquadraticField {
+        self.field
+    }
+
+    /// How many variables there are, used or not.
+    pub fn variables(&self) -> usize {
+        self.variables
+    }
+
+    /// The equations that are left, by name.
+    pub fn generators(&self) -> &[(Premise, Polynomial)] {
+        &self.generators
+    }
+}

@@ -1,0 +1,40 @@
+//! The limits that protect the trusted part from hostile files, in one table.
+//!
+//! Reaching one is an error, never a verdict. `proofs/FORMAT.md` prints this table; a test compares them.
+
+/// Bytes of a statement file.
+pub const STATEMENT_BYTES: u64 = 1 << 20;
+/// Bytes of a certificate file.
+pub const CERTIFICATE_BYTES: u64 = 16 << 20;
+/// Bytes of one line of a certificate.
+pub const LINE_BYTES: usize = 1 << 20;
+/// Steps of a certificate.
+pub const STEPS: usize = 100_000;
+/// Decimal digits of one integer (a numerator, a denominator, a number under a root).
+pub const DIGITS: usize = 4096;
+/// Terms of one polynomial.
+pub const TERMS: usize = 1_000_000;
+/// Total degree of a power product, and any one exponent.
+pub const DEGREE: u32 = 1000;
+/// Unknowns of a statement.
+pub const UNKNOWNS: usize = 1024;
+/// Non-vanishing assumptions of a statement.
+pub const ASSUMPTIONS: usize = 64;
+/// Polynomials of a bare system.
+pub const EQUATIONS: usize = 4096;
+/// Degree of a patch in either parameter.
+pub const BIDEGREE: u32 = 32;
+/// Degree of the surface.
+pub const SURFACE_DEGREE: u32 = 8;
+/// Nesting of brackets in an expression.
+pub const NESTING: usize = 64;
+/// Radicands of a field.
+pub const RADICANDS: usize = 4;
+/// The largest radicand.
+pub const RADICAND: u32 = 1_000_000;
+/// Characters of an unknown's or a constant's name.
+pub const NAME: usize = 32;
+/// Characters of a title.
+pub const TITLE: usize = 200;
+/// Work of one reading or one replay: a product of two 64-bit words counts 1, visiting a term 64.
+pub const WORK: u64 = 4_000_000_000;

@@ -1,0 +1,123 @@
+//! The radicands d₁ < … < dₖ of the field Q(√d₁, …, √dₖ): distinct primes, at most four.
+//!
+//! A *mask* names the basis element √(product of a subset): bit b stands for the b-th radicand.
+
+use std::fmt;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::limits;
+
+/// Distinct primes in increasing order; the field they generate has degree 2ᵏ over Q because they are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Radicands(Vec<u32>);
+
+/// Why a list of integers is not a list of radicands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RadicandsError {
+    /// More than four.
+    TooMany(usize),
+    /// Not a prime, hence either not squarefree or not needed.
+    NotPrime(u32),
+    /// Larger than [`limits::RADICAND`].
+    TooLarge(u32),
+    /// Listed twice.
+    Repeated(u32),
+}
+
+impl fmt::Display for RadicandsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            RadicandsError::TooMany(count) => {
+                write!(f, "{count} radicands, expected at most {}", limits::RADICANDS)
+            }
+            RadicandsError::NotPrime(value) => {
+                write!(f, "radicand {value} is not a squarefree prime; for √6 list the primes 2 and 3")
+            }
+            RadicandsError::TooLarge(value) => {
+                write!(f, "radicand {value} is larger than {}", limits::RADICAND)
+            }
+            RadicandsError::Repeated(value) => write!(f, "radicand {value} is listed twice"),
+        }
+    }
+}
+
+impl std::error::Error for RadicandsError {}
+
+impl Radicands {
+    /// Sorts and checks a list of radicands.
+    pub fn new(mut values: Vec<u32>) -> Result<Self, RadicandsError> {
+        if values.len() > limits::RADICANDS {
+            return Err(RadicandsError::TooMany(values.len()));
+        }
+        values.sort_unstable();
+        for (position, &value) in values.iter().enumerate() {
+            if value > limits::RADICAND {
+                return Err(RadicandsError::TooLarge(value));
+            }
+            if !is_prime(value) {
+                return Err(RadicandsError::NotPrime(value));
+            }
+            if values.iter().skip(position.saturating_add(1)).any(|&other| other == value) {
+                return Err(RadicandsError::Repeated(value));
+            }
+        }
+        Ok(Radicands(values))
+    }
+
+    /// The radicands, increasing.
+    pub fn values(&self) -> &[u32] {
+        &self.0
+    }
+
+    /// The masks 1, 2, 4, … of the single radicands.
+    pub fn generators(&self) -> impl Iterator<Item = u8> + '_ {
+        (0u32..).zip(&self.0).map(|(bit, _)| 1u8.checked_shl(bit).unwrap_or(0))
+    }
+
+    /// All masks of the field: 0 (for 1) up to 2ᵏ − 1.
+    pub fn masks(&self) -> impl Iterator<Item = u8> {
+        let end = self.generators().fold(0u8, |all, bit| all | bit);
+        0..=end
+    }
+
+    /// The product of the radicands in `mask`: the number under the root.
+    pub fn under_root(&self, mask: u8) -> BigInt {
+        let chosen = self.generators().zip(&self.0).filter(|(bit, _)| mask & bit != 0);
+        chosen.fold(BigInt::one(), |product, (_, &value)| product * BigInt::from(value))
+    }
+
+    /// √q for a rational q ≥ 0 as `rational · √(mask)`, or `None` where it is not in the field.
+    pub fn square_root(&self, q: &BigRational) -> Option<(BigRational, u8)> {
+        if q.is_negative() {
+            return None;
+        }
+        if q.is_zero() {
+            return Some((BigRational::zero(), 0));
+        }
+        // √(a/b) = √(ab)/b, and √(ab) = s·√n iff ab/n is the square s² for one squarefree n of the field.
+        let product = q.numer() * q.denom();
+        self.masks().find_map(|mask| {
+            let (quotient, remainder) = product.div_rem(&self.under_root(mask));
+            let root = quotient.sqrt();
+            (remainder.is_zero() && &root * &root == quotient)
+                .then(|| (BigRational::new(root, q.denom().clone()), mask))
+        })
+    }
+}
+
+fn is_prime(value: u32) -> bool {
+    let mut divisors = (2u32..).take_while(|&d| d.checked_mul(d).is_some_and(|square| square <= value));
+    value >= 2 && divisors.all(|d| !value.is_multiple_of(d))
+}
+
+impl fmt::Display for Radicands {
+    /// `Q(√2,√3)`, or `Q` for no radicands.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let roots: Vec<String> = self.0.iter().map(|value| format!("√{value}")).collect();
+        if roots.is_empty() { write!(f, "Q") } else { write!(f, "Q({})", roots.join(",")) }
+    }
+}

@@ -1,0 +1,49 @@
+//! The sign of a constant of K, decided exactly.
+
+use std::cmp::Ordering;
+
+use num_traits::Signed;
+
+use super::polynomial::Polynomial;
+use super::radicands::Radicands;
+use super::work::{Limit, Work};
+
+/// Whether a constant is negative, zero or positive (`None` for a polynomial that is not constant).
+///
+/// Write x = a + b√d with the last radicand d that occurs. If a and b have the same sign, that is the sign
+/// of x; otherwise the larger of |a| and |b|√d decides, which a² − b²d, an element of a smaller field, tells.
+pub fn sign(value: &Polynomial, field: &Radicands, work: &mut Work) -> Result<Option<Ordering>, Limit> {
+    if !value.is_constant() {
+        return Ok(None);
+    }
+    let occurring = value.terms().fold(0u8, |all, (m, _)| all | m.mask());
+    let Some(bit) = field.generators().filter(|bit| occurring & bit != 0).last() else {
+        let rational = value.terms().next().map_or(Ordering::Equal, |(_, q)| match q.is_positive() {
+            true => Ordering::Greater,
+            false => Ordering::Less,
+        });
+        return Ok(Some(rational));
+    };
+    let part = |with_root: bool| {
+        let terms = value.terms().filter(|(m, _)| (m.mask() & bit != 0) == with_root);
+        Polynomial::from_terms(terms.map(|(m, q)| (m.clone(), q.clone())))
+    };
+    // `root` is b√d itself: the sign of b√d is found from (b√d)·√d, which lies in the smaller field.
+    let (plain, root) = (part(false), part(true));
+    let sqrt = Polynomial::term(num_traits::One::one(), super::monomial::Monomial::radical(bit));
+    let (Some(of_plain), Some(of_root)) =
+        (sign(&plain, field, work)?, sign(&root.multiply(&sqrt, field, work)?, field, work)?)
+    else {
+        return Ok(None);
+    };
+    if of_plain == of_root || of_plain == Ordering::Equal {
+        return Ok(Some(of_root));
+    }
+    let squares = plain
+        .multiply(&plain, field, work)?
+        .add(&root.multiply(&root, field, work)?.negate(), work)?;
+    Ok(sign(&squares, field, work)?.map(|larger| match larger {
+        Ordering::Greater => of_plain,
+        _ => of_root,
+    }))
+}

@@ -1,0 +1,157 @@
+//! From a statement to a certificate that the independent checker has accepted.
+
+use crate::algebra::{MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact};
+use crate::bezier::{BernsteinForm, surface_condition};
+use crate::certificate::{Argument, Certificate, Premise, Step};
+use crate::checker::{CheckError, Rejection, Theorem, check_read};
+use crate::elimination::{Control, Derivation, Outcome, System, Undecided, eliminate};
+use crate::exact::{self, Limit, Work};
+use crate::statement::{Statement, Subject};
+
+/// How an attempt at a statement ended.
+#[derive(Debug, Clone)]
+pub enum Attempt {
+    /// The claim is established: impossible, exact, or a solution of a system.
+    Proved {
+        /// The certificate.
+        certificate: Certificate,
+        /// What the checker made of it.
+        theorem: Theorem,
+    },
+    /// Neither was established.
+    Undecided(Reason),
+}
+
+/// Why nothing was established.
+#[derive(Debug, Clone)]
+pub enum Reason {
+    /// Elimination found neither 1 nor a point.
+    Elimination(Undecided),
+    /// The only common zero makes the denominator W of the patch vanish identically: it is no patch.
+    NoDenominator,
+}
+
+/// What goes wrong in an attempt without being an answer.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ProveError {
+    /// The certificate would exceed what the format allows.
+    #[error("the certificate does not fit its format: {0}")]
+    Limit(#[from] Limit),
+    /// The independent checker refused what the engine found: a defect of this program.
+    #[error("the independent checker refused the certificate: {0}")]
+    Refused(CheckError),
+}
+
+/// The field a statement is made over, for computing.
+pub fn field_of(statement: &Statement) -> MultiquadraticField {
+    MultiquadraticField::new(statement.field().values())
+}
+
+/// The form whose coefficients must vanish for the patch to lie on the surface; `None` for a bare system.
+pub fn condition_of(statement: &Statement) -> Option<BernsteinForm> {
+    match statement.subject() {
+        Subject::Patch(patch) => Some(surface_condition(field_of(statement), patch)),
+        Subject::System(_) => None,
+    }
+}
+
+/// The equations of a statement, as the prover expands them.
+pub fn system_of(statement: &Statement) -> System {
+    let field = field_of(statement);
+    let mut equations: Vec<(Premise, Polynomial)> = match statement.subject() {
+        Subject::Patch(patch) => surface_condition(field, patch)
+            .coefficients()
+            .map(|(r, s, coefficient)| (Premise::Coefficient(r, s), coefficient.clone()))
+            .collect(),
+        Subject::System(polynomials) => {
+            let read = polynomials.iter().map(|polynomial| polynomial_from_exact(field, polynomial));
+            (1..).map(Premise::Equation).zip(read).collect()
+        }
+    };
+    // Rabinowitsch: d ≠ 0 means that d·t = 1 for some t.
+    let unknowns = statement.unknowns().len();
+    for (number, assumed) in statement.nonzero().iter().enumerate() {
+        let t = Polynomial::variable(field, (unknowns + number) as u16);
+        let product = polynomial_from_exact(field, assumed).multiply(&t);
+        let minus_one = Polynomial::constant(field.integer(-1));
+        equations.push((Premise::Nonzero(number as u32 + 1), product.add(&minus_one)));
+    }
+    System::new(field, unknowns + statement.nonzero().len(), equations)
+}
+
+/// Tries to decide a statement.
+///
+/// # Errors
+/// [`ProveError`] where the result cannot be written down, or where the checker disagrees.
+pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
+    let system = system_of(statement);
+    let mut derivation = Derivation::new(&system);
+    let argument = match eliminate(&mut derivation, control) {
+        Outcome::Unit(unit) => Argument::Impossible(steps(&derivation, unit)?),
+        Outcome::Point(values) => {
+            let constants = values.into_iter().take(statement.unknowns().len()).map(Polynomial::constant);
+            Argument::Exact(constants.map(|value| polynomial_to_exact(&value)).collect::<Result<_, _>>()?)
+        }
+        Outcome::Open(undecided) => return Ok(Attempt::Undecided(Reason::Elimination(undecided))),
+    };
+    let certificate = Certificate { statement: statement.hash(), argument };
+    match check_read(statement, &certificate) {
+        Ok(theorem) => Ok(Attempt::Proved { certificate, theorem }),
+        Err(CheckError::Rejected(Rejection::NoDenominator)) => Ok(Attempt::Undecided(Reason::NoDenominator)),
+        Err(refused) => Err(ProveError::Refused(refused)),
+    }
+}
+
+fn steps(derivation: &Derivation<'_>, unit: crate::elimination::Source) -> Result<Vec<Step>, Limit> {
+    let Some(proof) = derivation.proof_of(unit) else {
+        // 1 is itself an equation of the statement. One step must conclude it, from that equation alone.
+        return given_unit(derivation);
+    };
+    let mut steps = Vec::with_capacity(proof.len());
+    for (combination, conclusion) in proof {
+        let mut written = Vec::with_capacity(combination.len());
+        for (premise, multiplier) in combination {
+            written.push((premise, polynomial_to_exact(&multiplier)?));
+        }
+        steps.push(Step { combination: written, conclusion: polynomial_to_exact(&conclusion)? });
+    }
+    Ok(steps)
+}
+
+fn given_unit(derivation: &Derivation<'_>) -> Result<Vec<Step>, Limit> {
+    let one = exact::Polynomial::integer(1);
+    let is_one = |(_, polynomial): &&(Premise, Polynomial)| {
+        polynomial.as_constant().is_some_and(|constant| constant.is_one())
+    };
+    let equation = derivation.system().generators().iter().find(is_one).map(|(name, _)| *name);
+    let step = equation.map(|name| Step { combination: vec![(name, one.clone())], conclusion: one });
+    Ok(step.into_iter().collect())
+}
+
+/// The cofactors of the equations themselves: Σ cofactor · equation = 1, all steps multiplied out.
+/// `None` where one would have more than `at_most` terms on the way.
+pub fn flattened(statement: &Statement, steps: &[Step], at_most: usize) -> Option<Vec<(Premise, exact::Polynomial)>> {
+    let mut work = Work::full();
+    let mut cofactors: Vec<std::collections::BTreeMap<Premise, exact::Polynomial>> = Vec::new();
+    for step in steps {
+        let mut sum = std::collections::BTreeMap::<Premise, exact::Polynomial>::new();
+        for (premise, multiplier) in &step.combination {
+            let of_premise = match premise {
+                Premise::Step(number) => cofactors.get(*number as usize - 1)?.clone(),
+                equation => [(*equation, exact::Polynomial::integer(1))].into(),
+            };
+            for (equation, cofactor) in of_premise {
+                let product = cofactor.multiply(multiplier, statement.field(), &mut work).ok()?;
+                let entry = sum.entry(equation).or_default();
+                *entry = entry.add(&product, &mut work).ok()?;
+                if entry.len() > at_most {
+                    return None;
+                }
+            }
+        }
+        sum.retain(|_, cofactor| !cofactor.is_zero());
+        cofactors.push(sum);
+    }
+    cofactors.pop().map(|last| last.into_iter().collect())
+}

@@ -1,0 +1,224 @@
+//! The same as data. Polynomials are strings in the canonical spelling of certificates: no number is rounded.
+
+use serde::Serialize;
+
+use super::attempt::Files;
+use super::expansion::{Basis, coefficients};
+use crate::certificate::{Argument, Step};
+use crate::checker::{Claim, Theorem};
+use crate::elimination::Undecided;
+use crate::exact::{Limit, Polynomial};
+use crate::prove::{Attempt, Reason};
+use crate::statement::{HomogeneousPoint, Statement, Subject};
+
+/// The mathematical content of a statement.
+#[derive(Debug, Serialize)]
+pub struct StatementData {
+    title: String,
+    sha256: String,
+    radicands: Vec<u32>,
+    unknowns: Vec<String>,
+    nonzero: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bidegree: Option<(u32, u32)>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    surface: Option<String>,
+    /// Homogeneous points, premultiplied: net[i][j] = [X, Y, Z, W].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    net: Option<Vec<Vec<[String; 4]>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polynomials: Option<Vec<String>>,
+}
+
+/// One coefficient of the surface condition.
+#[derive(Debug, Serialize)]
+pub struct CoefficientData {
+    name: String,
+    index: (u32, u32),
+    value: String,
+}
+
+/// One step of a certificate.
+#[derive(Debug, Serialize)]
+struct StepData {
+    premises: Vec<PremiseData>,
+    conclusion: String,
+}
+
+#[derive(Debug, Serialize)]
+struct PremiseData {
+    premise: String,
+    multiplier: String,
+}
+
+/// A value of an unknown.
+#[derive(Debug, Serialize)]
+struct ValueData {
+    unknown: String,
+    value: String,
+}
+
+/// The outcome of an attempt.
+#[derive(Debug, Serialize)]
+pub struct AttemptData {
+    verdict: &'static str,
+    name: String,
+    statement: StatementData,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bernstein: Option<Vec<CoefficientData>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    monomial: Option<Vec<CoefficientData>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    steps: Option<Vec<StepData>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    values: Option<Vec<ValueData>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    net: Option<Vec<Vec<[String; 4]>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    weights_positive: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<ReasonData>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    theorem: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    files: Option<FilesData>,
+}
+
+#[derive(Debug, Serialize)]
+struct FilesData {
+    statement: String,
+    certificate: String,
+}
+
+/// Why nothing was established.
+#[derive(Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+enum ReasonData {
+    Consistent { dimension: usize, zeros: Option<usize>, verified: bool, basis: Vec<String> },
+    TooLarge { degree: u32, rows: usize, columns: usize },
+    Interrupted { why: String },
+    NoDenominator,
+}
+
+/// A statement as data.
+pub fn statement(statement: &Statement) -> StatementData {
+    let ring = statement.ring();
+    let spell = |polynomial: &Polynomial| ring.spell(polynomial);
+    let (patch, polynomials) = match statement.subject() {
+        Subject::Patch(patch) => (Some(patch), None),
+        Subject::System(polynomials) => (None, Some(polynomials.iter().map(spell).collect())),
+    };
+    StatementData {
+        title: statement.title().to_owned(),
+        sha256: statement.hash(),
+        radicands: statement.field().values().to_vec(),
+        unknowns: statement.unknowns().to_vec(),
+        nonzero: statement.nonzero().iter().map(spell).collect(),
+        bidegree: patch.map(|patch| patch.bidegree),
+        surface: patch.map(|patch| statement.coordinate_ring().spell(&patch.surface)),
+        net: patch.map(|patch| net(statement, &patch.net)),
+        polynomials,
+    }
+}
+
+fn net(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Vec<Vec<[String; 4]>> {
+    let ring = statement.ring();
+    let point = |point: &HomogeneousPoint| point.each_ref().map(|entry| ring.spell(entry));
+    net.iter().map(|row| row.iter().map(point).collect()).collect()
+}
+
+/// The coefficients of a patch in one basis; `None` for a bare system.
+pub fn expansion(statement: &Statement, basis: Basis) -> Result<Option<Vec<CoefficientData>>, Limit> {
+    let ring = statement.ring();
+    let data = |list: Vec<super::Coefficient>| {
+        let nonzero = list.into_iter().filter(|coefficient| !coefficient.value.is_zero());
+        let entry = |c: super::Coefficient| CoefficientData { value: ring.spell(&c.value), name: c.name, index: c.index };
+        nonzero.map(entry).collect()
+    };
+    Ok(coefficients(statement, basis)?.map(data))
+}
+
+/// An attempt as data.
+///
+/// # Errors
+/// Where a coefficient exceeds what the formats allow.
+pub fn attempt(
+    name: &str,
+    of: &Statement,
+    attempt: &Attempt,
+    files: Option<&Files>,
+) -> Result<AttemptData, Limit> {
+    let mut data = AttemptData {
+        verdict: "UNDECIDED",
+        name: name.to_owned(),
+        statement: statement(of),
+        bernstein: expansion(of, Basis::Bernstein)?,
+        monomial: expansion(of, Basis::Monomial)?,
+        steps: None,
+        values: None,
+        net: None,
+        weights_positive: None,
+        reason: None,
+        theorem: None,
+        files: files.map(|files| FilesData {
+            statement: files.statement.display().to_string(),
+            certificate: files.certificate.display().to_string(),
+        }),
+    };
+    match attempt {
+        Attempt::Undecided(why) => data.reason = Some(reason(of, why)?),
+        Attempt::Proved { certificate, theorem } => {
+            data.verdict = if matches!(theorem.claim(), Claim::Impossible { .. }) { "PROVED" } else { "EXACT" };
+            data.theorem = Some(theorem.sentence());
+            if let Argument::Impossible(steps) = &certificate.argument {
+                data.steps = Some(steps.iter().map(|step| step_data(of, step)).collect());
+            }
+            solution(&mut data, theorem);
+        }
+    }
+    Ok(data)
+}
+
+fn solution(data: &mut AttemptData, theorem: &Theorem) {
+    let statement = theorem.statement();
+    let named = |values: &[Polynomial]| {
+        let pairs = statement.unknowns().iter().zip(values);
+        let spelled = pairs.map(|(name, value)| ValueData { unknown: name.clone(), value: statement.ring().spell(value) });
+        Some(spelled.collect())
+    };
+    match theorem.claim() {
+        Claim::Exact { values, net: points, weights_positive } => {
+            data.values = named(values);
+            data.net = Some(net(statement, points));
+            data.weights_positive = Some(*weights_positive);
+        }
+        Claim::Solution { values } => data.values = named(values),
+        _ => {}
+    }
+}
+
+fn step_data(statement: &Statement, step: &Step) -> StepData {
+    let ring = statement.ring();
+    let premise = |(premise, multiplier): &(crate::certificate::Premise, Polynomial)| PremiseData {
+        premise: premise.to_string(),
+        multiplier: ring.spell(multiplier),
+    };
+    StepData { premises: step.combination.iter().map(premise).collect(), conclusion: ring.spell(&step.conclusion) }
+}
+
+fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
+    Ok(match reason {
+        Reason::NoDenominator => ReasonData::NoDenominator,
+        Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => {
+            ReasonData::TooLarge { degree: *degree, rows: *rows, columns: *columns }
+        }
+        Reason::Elimination(Undecided::Interrupted(why)) => ReasonData::Interrupted { why: why.to_string() },
+        Reason::Elimination(Undecided::Consistent(closure)) => {
+            let mut basis = Vec::new();
+            for polynomial in closure.linear.iter().chain(&closure.basis) {
+                basis.push(statement.ring().spell(&crate::algebra::polynomial_to_exact(polynomial)?));
+            }
+            ReasonData::Consistent { dimension: closure.dimension, zeros: closure.zeros, verified: closure.verified, basis }
+        }
+    })
+}

@@ -1,0 +1,43 @@
+//! The geometry of the cap over the cube face, line by line (the paper's sections 2.1, 2.2 and Appendix A).
+
+use std::fmt::Write as _;
+
+use super::mathematics::Notation;
+use crate::algebra::{FieldElement, Polynomial, polynomial_to_exact};
+use crate::catalogue::Cap;
+use crate::exact::{Limit, Radicands, Ring};
+use crate::geometry::{CubeFace, dot};
+
+/// The lines that lead from the cube to the control points of an edge. Every value printed is computed here.
+pub(super) fn cube_face() -> Result<String, Limit> {
+    let field = Cap::field();
+    let face = CubeFace::derive(field).expect("the cube's side lies in Q(√2,√3)");
+    let arc = face.edge_along_v(0).expect("the weight lies in Q(√2,√3)");
+    let radicands = Radicands::new(field.radicands().to_vec()).expect("2 and 3 are primes");
+    let notation = Notation::new(Ring { field: radicands, variables: Vec::new() });
+    let number = |value: &FieldElement| -> Result<String, Limit> {
+        Ok(notation.polynomial(&polynomial_to_exact(&Polynomial::constant(value.clone()))?))
+    };
+    let point = |p: &[FieldElement; 3]| -> Result<String, Limit> {
+        Ok(format!("({}, {}, {})", number(&p[0])?, number(&p[1])?, number(&p[2])?))
+    };
+    let side_squared = &face.side * &face.side;
+    let middle_squared = dot(&arc.middle_of_chord, &arc.middle_of_chord);
+    // Each line with the paper's number for it.
+    let lines = [
+        ("The unit sphere, R = 1, and the face z > 0 of the inscribed cube of side a:".to_owned(), ""),
+        (format!("a²/2 + a²/4 = R², so a² = {} and a = {}", number(&side_squared)?, number(&face.side)?), "A-3, 1"),
+        (format!("A = {}, B = {}, …", point(&arc.start)?, point(&arc.end)?), "3"),
+        (format!("M = (A+B)/2 = {}, |OM|² = {}", point(&arc.middle_of_chord)?, number(&middle_squared)?), "A-1, A-2"),
+        (format!("The tangents at A and B meet in P = M/(M·A) = {}", point(&arc.tangents_meet)?), "A-10"),
+        (format!("Its weight is cos(α/2) = |OM|/R = {}; A and B have weight 1", number(&arc.weight)?), "A-8"),
+        ("The other three edges likewise; a bracket on the right is the paper's equation.".to_owned(), ""),
+    ];
+    let width = lines.iter().map(|(line, _)| line.chars().count()).max().unwrap_or(0);
+    let mut text = String::new();
+    for (line, equation) in lines {
+        let numbered = if equation.is_empty() { line } else { format!("{line:<width$}   ({equation})") };
+        let _ = writeln!(text, "   {numbered}");
+    }
+    Ok(text)
+}

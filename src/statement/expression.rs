@@ -1,0 +1,256 @@
+//! Exact expressions: numbers, declared symbols, `+ - * / ^`, brackets and `sqrt`, evaluated as they are read.
+//!
+//! ```text
+//! expression = ["-" | "+"] product { ("+" | "-") product }
+//! product    = power { ("*" | "/") power }
+//! power      = atom [ "^" digits ]
+//! atom       = digits [ "." digits ] | name | "sqrt" "(" expression ")" | "(" expression ")"
+//! ```
+//! A decimal is the exact rational it spells. There is no implicit product; one divides by constants only.
+
+use std::ops::Range;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::error::StatementFault;
+use super::source::Located;
+use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work, limits, read_natural};
+
+/// The symbols an expression may use.
+pub(super) struct Scope<'a> {
+    pub field: &'a Radicands,
+    /// Names of variables 0, 1, ….
+    pub variables: &'a [String],
+    /// Defined constants.
+    pub constants: &'a [(String, Polynomial)],
+}
+
+/// Evaluates `text`; error spans are offsets in `text`.
+pub(super) fn evaluate(text: &str, scope: &Scope<'_>, work: &mut Work) -> Result<Polynomial, Located> {
+    let mut parser = Parser { text, at: 0, depth: 0, scope, work };
+    let value = parser.expression()?;
+    parser.skip_space();
+    if parser.rest().is_empty() { Ok(value) } else { parser.unexpected("an operator (+ - * / ^) or the end") }
+}
+
+struct Parser<'a, 'w> {
+    text: &'a str,
+    at: usize,
+    depth: usize,
+    scope: &'a Scope<'a>,
+    work: &'w mut Work,
+}
+
+impl<'a> Parser<'a, '_> {
+    fn rest(&self) -> &'a str {
+        self.text.get(self.at..).unwrap_or("")
+    }
+
+    fn skip_space(&mut self) {
+        let blank = self.rest().len().saturating_sub(self.rest().trim_start_matches([' ', '\t', '\n', '\r']).len());
+        self.at = self.at.saturating_add(blank);
+    }
+
+    fn take(&mut self, token: char) -> bool {
+        self.skip_space();
+        let found = self.rest().starts_with(token);
+        if found {
+            self.at = self.at.saturating_add(token.len_utf8());
+        }
+        found
+    }
+
+    /// The word at this place: a run of letters, digits and underscores, or a single other character.
+    fn word(&self) -> &'a str {
+        let rest = self.rest();
+        let run = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
+        let length = if run > 0 { run } else { rest.chars().next().map_or(0, char::len_utf8) };
+        rest.get(..length).unwrap_or("")
+    }
+
+    fn unexpected<T>(&self, expected: &'static str) -> Result<T, Located> {
+        let word = self.word();
+        let shown: String = word.chars().take(24).collect();
+        let found = if word.is_empty() { "the end".into() } else { format!("`{}`", shown.escape_debug()) };
+        Err((StatementFault::Syntax { expected, found }, self.at..self.at.saturating_add(word.len())))
+    }
+
+    fn located<T>(&self, start: usize, result: Result<T, impl Into<StatementFault>>) -> Result<T, Located> {
+        result.map_err(|fault| (fault.into(), start..self.at))
+    }
+
+    fn expression(&mut self) -> Result<Polynomial, Located> {
+        let start = self.at;
+        let negative = self.take('-');
+        if !negative {
+            self.take('+');
+        }
+        let first = self.product()?;
+        let mut sum = if negative { first.negate() } else { first };
+        loop {
+            let minus = self.take('-');
+            if !minus && !self.take('+') {
+                return Ok(sum);
+            }
+            let next = self.product()?;
+            let next = if minus { next.negate() } else { next };
+            let total = sum.add(&next, self.work);
+            sum = self.located(start, total)?;
+        }
+    }
+
+    fn product(&mut self) -> Result<Polynomial, Located> {
+        self.skip_space();
+        let start = self.at;
+        let mut product = self.power()?;
+        loop {
+            let divide = self.take('/');
+            if !divide && !self.take('*') {
+                return Ok(product);
+            }
+            self.skip_space();
+            let operand = self.at;
+            let mut factor = self.power()?;
+            if divide {
+                factor = self.inverse(&factor, operand)?;
+            }
+            let result = product.multiply(&factor, self.scope.field, self.work);
+            product = self.located(start, result)?;
+            self.check_size(&product, start)?;
+        }
+    }
+
+    fn inverse(&mut self, divisor: &Polynomial, start: usize) -> Result<Polynomial, Located> {
+        if divisor.is_zero() {
+            return self.located(start, Err(StatementFault::DivisionByZero));
+        }
+        let inverse = divisor.inverse(self.scope.field, self.work);
+        let inverse = self.located(start, inverse)?;
+        self.located(start, inverse.ok_or(StatementFault::DivisionByUnknown))
+    }
+
+    fn power(&mut self) -> Result<Polynomial, Located> {
+        self.skip_space();
+        let start = self.at;
+        let base = self.atom()?;
+        if !self.take('^') {
+            return Ok(base);
+        }
+        self.skip_space();
+        let digits = self.rest().bytes().take_while(u8::is_ascii_digit).count();
+        if digits == 0 {
+            return self.unexpected("a natural number as exponent");
+        }
+        let exponent_start = self.at;
+        let exponent = self.rest().get(..digits).and_then(|number| number.parse::<u32>().ok());
+        self.at = self.at.saturating_add(digits);
+        let Some(exponent) = exponent.filter(|&exponent| exponent <= limits::DEGREE) else {
+            return self.located(exponent_start, Err(Limit::new("in an exponent", limits::DEGREE.into())));
+        };
+        let mut power = Polynomial::integer(1);
+        for _ in 0..exponent {
+            let next = power.multiply(&base, self.scope.field, self.work);
+            power = self.located(start, next)?;
+            self.check_size(&power, start)?;
+        }
+        Ok(power)
+    }
+
+    fn atom(&mut self) -> Result<Polynomial, Located> {
+        self.skip_space();
+        let start = self.at;
+        match self.rest().chars().next() {
+            Some(c) if c.is_ascii_digit() => self.number(),
+            Some('(') => self.bracket(),
+            Some(c) if c.is_ascii_alphabetic() => {
+                let name = self.word();
+                self.at = self.at.saturating_add(name.len());
+                if name == "sqrt" { self.root(start) } else { self.symbol(name, start) }
+            }
+            _ => self.unexpected("a number, a symbol, sqrt(…) or a bracket"),
+        }
+    }
+
+    fn bracket(&mut self) -> Result<Polynomial, Located> {
+        self.skip_space();
+        if !self.take('(') {
+            return self.unexpected("`(`");
+        }
+        self.depth = self.depth.saturating_add(1);
+        if self.depth > limits::NESTING {
+            let limit = Limit::new("nested brackets", 64);
+            return self.located(self.at.saturating_sub(1), Err(limit));
+        }
+        let value = self.expression()?;
+        self.depth = self.depth.saturating_sub(1);
+        if self.take(')') { Ok(value) } else { self.unexpected("`)` or an operator (+ - * / ^)") }
+    }
+
+    fn number(&mut self) -> Result<Polynomial, Located> {
+        let start = self.at;
+        let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+        let whole = digits(self.rest());
+        let after = self.rest().get(whole..).unwrap_or("");
+        let decimals = after.strip_prefix('.').map_or(0, digits);
+        if after.starts_with('.') && decimals == 0 {
+            self.at = self.at.saturating_add(whole).saturating_add(1);
+            return self.unexpected("a digit after the decimal point");
+        }
+        let length = whole.saturating_add(if decimals > 0 { decimals.saturating_add(1) } else { 0 });
+        let spelled: String = self.rest().chars().take(length).filter(|&c| c != '.').collect();
+        self.at = self.at.saturating_add(length);
+        if spelled.len() > limits::DIGITS {
+            return self.located(start, Err(Limit::digits()));
+        }
+        let trimmed = spelled.trim_start_matches('0');
+        let (value, _) = read_natural(if trimmed.is_empty() { "0" } else { trimmed })
+            .map_err(|_| (StatementFault::from(Limit::digits()), start..self.at))?;
+        let scale = (0..decimals).fold(BigInt::one(), |scale, _| scale * BigInt::from(10));
+        Ok(Polynomial::rational(BigRational::new(value, scale)))
+    }
+
+    fn root(&mut self, start: usize) -> Result<Polynomial, Located> {
+        let value = self.bracket()?;
+        let field = self.scope.field;
+        let root = value.as_rational().and_then(|rational| field.square_root(&rational));
+        let root = root.map(|(factor, mask)| Polynomial::term(factor, Monomial::radical(mask)));
+        root.ok_or_else(|| {
+            let argument = self.text.get(start..self.at).unwrap_or("").trim_start_matches("sqrt").trim();
+            let value = argument.chars().take(40).collect();
+            (StatementFault::Root { value, field: field.to_string() }, start..self.at)
+        })
+    }
+
+    fn symbol(&mut self, name: &str, start: usize) -> Result<Polynomial, Located> {
+        let index = self.scope.variables.iter().position(|variable| variable == name);
+        if let Some(index) = index.and_then(|index| u16::try_from(index).ok()) {
+            return Ok(Polynomial::variable(index));
+        }
+        if let Some((_, value)) = self.scope.constants.iter().find(|(constant, _)| constant == name) {
+            return Ok(value.clone());
+        }
+        let constants = self.scope.constants.iter().map(|(constant, _)| constant);
+        let mut known: Vec<&str> = self.scope.variables.iter().chain(constants).map(String::as_str).collect();
+        known.truncate(12);
+        let expected =
+            if known.is_empty() { "numbers only".into() } else { format!("one of {}", known.join(", ")) };
+        let name = name.chars().take(limits::NAME).collect();
+        self.located(start, Err(StatementFault::UnknownSymbol { name, expected }))
+    }
+
+    /// Keeps numbers within what a certificate could spell.
+    fn check_size(&self, value: &Polynomial, start: usize) -> Result<(), Located> {
+        /// log₂ 10 is more than 3.
+        const BITS: u64 = 3 * 4096;
+        let long = value.terms().any(|(_, q)| q.numer().bits() > BITS || q.denom().bits() > BITS);
+        self.located(start, if long { Err(Limit::digits()) } else { Ok(()) })
+    }
+}
+
+/// Moves the place of a fault by the offset of its expression, or to the whole of it if that is not known.
+pub(super) fn moved((fault, span): Located, whole: &Range<usize>, offset: Option<usize>) -> Located {
+    let Some(offset) = offset else { return (fault, whole.clone()) };
+    (fault, span.start.saturating_add(offset)..span.end.saturating_add(offset))
+}

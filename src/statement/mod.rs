@@ -1,0 +1,90 @@
+//! What is claimed: a field, unknowns, and equations in them, given as a patch on a surface or as a list.
+//!
+//! A statement is pure data. [`Statement::read`] reads the TOML that people write, with every expression
+//! evaluated exactly; [`Statement::canonical`] writes the one canonical text of its mathematical content,
+//! whose SHA-256 a certificate names. Grammar and meaning: `proofs/FORMAT.md`.
+
+mod canonical;
+mod document;
+mod error;
+mod expression;
+mod patch;
+mod source;
+
+use crate::exact::{Polynomial, Radicands, Ring};
+
+pub use error::{StatementError, StatementFault};
+
+/// The names of the surface's coordinates, in the order of [`HomogeneousPoint`].
+pub const COORDINATES: [&str; 4] = ["X", "Y", "Z", "W"];
+
+/// A homogeneous control point (X, Y, Z, W) = (w·x, w·y, w·z, w).
+pub type HomogeneousPoint = [Polynomial; 4];
+
+/// A claim that awaits a proof: these equations have, or do not have, a common zero.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Statement {
+    title: String,
+    field: Radicands,
+    unknowns: Vec<String>,
+    nonzero: Vec<Polynomial>,
+    subject: Subject,
+}
+
+/// Where the equations come from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Subject {
+    /// The patch lies on the surface: every coefficient c[r,s] vanishes.
+    Patch(Patch),
+    /// Every listed polynomial vanishes.
+    System(Vec<Polynomial>),
+}
+
+/// A rational tensor-product Bézier patch and the surface it is to lie on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Patch {
+    /// (m, n): the degrees in u and v.
+    pub bidegree: (u32, u32),
+    /// A homogeneous polynomial in X, Y, Z, W (variables 0 to 3) with coefficients in K.
+    pub surface: Polynomial,
+    /// m + 1 rows of n + 1 points: `net[i][j]` belongs to Bᵢᵐ(u)·Bⱼⁿ(v).
+    pub net: Vec<Vec<HomogeneousPoint>>,
+}
+
+impl Statement {
+    /// The title, for people only: not part of the claim.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// K.
+    pub fn field(&self) -> &Radicands {
+        &self.field
+    }
+
+    /// The unknowns' names; variable k of every polynomial is the k-th.
+    pub fn unknowns(&self) -> &[String] {
+        &self.unknowns
+    }
+
+    /// The polynomials assumed not to vanish.
+    pub fn nonzero(&self) -> &[Polynomial] {
+        &self.nonzero
+    }
+
+    /// The equations.
+    pub fn subject(&self) -> &Subject {
+        &self.subject
+    }
+
+    /// The unknowns followed by the Rabinowitsch variables t[1], t[2], …, one for each assumption.
+    pub fn ring(&self) -> Ring {
+        let rabinowitsch = (1..=self.nonzero.len()).map(|number| format!("t[{number}]"));
+        Ring { field: self.field.clone(), variables: self.unknowns.iter().cloned().chain(rabinowitsch).collect() }
+    }
+
+    /// The ring of the surface: X, Y, Z, W.
+    pub fn coordinate_ring(&self) -> Ring {
+        Ring { field: self.field.clone(), variables: COORDINATES.map(String::from).to_vec() }
+    }
+}
