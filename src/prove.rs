@@ -4,7 +4,7 @@ use crate::algebra::{MultiquadraticField, Polynomial, polynomial_from_exact, pol
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::checker::{CheckError, Rejection, Theorem, check_read};
-use crate::elimination::{Control, Derivation, Outcome, System, Undecided, eliminate};
+use crate::elimination::{Control, Derivation, NamedStep, Outcome, Source, System, Undecided, eliminate};
 use crate::exact::{self, Limit, Work};
 use crate::statement::{Statement, Subject};
 
@@ -103,13 +103,13 @@ pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, Pr
     }
 }
 
-fn steps(derivation: &Derivation<'_>, unit: crate::elimination::Source) -> Result<Vec<Step>, Limit> {
+fn steps(derivation: &Derivation<'_>, unit: Source) -> Result<Vec<Step>, Limit> {
     let Some(proof) = derivation.proof_of(unit) else {
         // 1 is itself an equation of the statement. One step must conclude it, from that equation alone.
         return given_unit(derivation);
     };
     let mut steps = Vec::with_capacity(proof.len());
-    for (combination, conclusion) in proof {
+    for NamedStep { combination, conclusion } in proof {
         let mut written = Vec::with_capacity(combination.len());
         for (premise, multiplier) in combination {
             written.push((premise, polynomial_to_exact(&multiplier)?));
@@ -131,7 +131,11 @@ fn given_unit(derivation: &Derivation<'_>) -> Result<Vec<Step>, Limit> {
 
 /// The cofactors of the equations themselves: Σ cofactor · equation = 1, all steps multiplied out.
 /// `None` where one would have more than `at_most` terms on the way.
-pub fn flattened(statement: &Statement, steps: &[Step], at_most: usize) -> Option<Vec<(Premise, exact::Polynomial)>> {
+pub fn flattened(
+    statement: &Statement,
+    steps: &[Step],
+    at_most: usize,
+) -> Option<Vec<(Premise, exact::Polynomial)>> {
     let mut work = Work::full();
     let mut cofactors: Vec<std::collections::BTreeMap<Premise, exact::Polynomial>> = Vec::new();
     for step in steps {
@@ -145,7 +149,7 @@ pub fn flattened(statement: &Statement, steps: &[Step], at_most: usize) -> Optio
                 let product = cofactor.multiply(multiplier, statement.field(), &mut work).ok()?;
                 let entry = sum.entry(equation).or_default();
                 *entry = entry.add(&product, &mut work).ok()?;
-                if entry.len() > at_most {
+                if entry.term_count() > at_most {
                     return None;
                 }
             }

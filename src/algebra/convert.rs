@@ -26,7 +26,8 @@ pub fn polynomial_from_exact(field: MultiquadraticField, polynomial: &exact::Pol
 pub fn polynomial_to_exact(polynomial: &Polynomial) -> Result<exact::Polynomial, exact::Limit> {
     let mut terms = Vec::new();
     for (monomial, value) in polynomial.terms() {
-        for (mask, numerator) in (0u8..).zip(value.numerators()).filter(|(_, numerator)| !numerator.is_zero()) {
+        for (mask, numerator) in (0u8..).zip(value.numerators()).filter(|(_, numerator)| !numerator.is_zero())
+        {
             let powers = monomial.powers().to_vec();
             let monomial = exact::Monomial::new(mask, powers).expect("powers are sorted and positive")?;
             terms.push((monomial, BigRational::new(numerator.to_bigint(), value.denominator().to_bigint())));

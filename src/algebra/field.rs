@@ -149,7 +149,9 @@ impl FieldElement {
 
     /// The image under √d ↦ −√d for the radicand of one bit.
     fn conjugate(&self, bit: usize) -> Self {
-        let flip = |(subset, value): (usize, &Integer)| if subset >> bit & 1 == 1 { -value } else { value.clone() };
+        let flip = |(subset, value): (usize, &Integer)| {
+            if subset >> bit & 1 == 1 { -value } else { value.clone() }
+        };
         let numerators = self.numerators.iter().enumerate().map(flip).collect();
         FieldElement { field: self.field, numerators, denominator: self.denominator.clone() }
     }

@@ -21,7 +21,10 @@ pub fn splitting_primes(field: MultiquadraticField) -> impl Iterator<Item = Prim
 }
 
 fn is_prime(value: u64) -> bool {
-    value >= 2 && (2..).take_while(|divisor| divisor * divisor <= value).all(|divisor| !value.is_multiple_of(divisor))
+    value >= 2
+        && (2..)
+            .take_while(|divisor| divisor * divisor <= value)
+            .all(|divisor| !value.is_multiple_of(divisor))
 }
 
 impl PrimeField {
@@ -89,7 +92,8 @@ impl PrimeField {
 
     /// The images of the coefficients, `None` where p divides a denominator.
     pub fn reduce_polynomial(&self, polynomial: &Polynomial) -> Option<Vec<(Monomial, u64)>> {
-        let image = |(monomial, value): &(Monomial, FieldElement)| Some((monomial.clone(), self.reduce(value)?));
+        let image =
+            |(monomial, value): &(Monomial, FieldElement)| Some((monomial.clone(), self.reduce(value)?));
         polynomial.terms().iter().map(image).collect()
     }
 }

@@ -18,7 +18,11 @@ pub struct BernsteinForm {
 
 impl BernsteinForm {
     /// From the Bernstein coefficients b[i,j] (without binomials), m + 1 rows of n + 1.
-    pub fn from_bernstein(field: MultiquadraticField, bidegree: (u32, u32), b: impl Fn(usize, usize) -> Polynomial) -> Self {
+    pub fn from_bernstein(
+        field: MultiquadraticField,
+        bidegree: (u32, u32),
+        b: impl Fn(usize, usize) -> Polynomial,
+    ) -> Self {
         let scaled = iproduct!(0..=bidegree.0, 0..=bidegree.1)
             .map(|(i, j)| {
                 let factor = &binomial(bidegree.0, i) * &binomial(bidegree.1, j);

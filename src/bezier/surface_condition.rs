@@ -15,9 +15,10 @@ pub fn surface_condition(field: MultiquadraticField, patch: &Patch) -> Bernstein
     });
     let surface = polynomial_from_exact(field, &patch.surface);
     let product = |(monomial, value): &(Monomial, FieldElement)| {
-        let factors = monomial.powers().iter().flat_map(|&(k, exponent)| {
-            std::iter::repeat_n(&coordinates[usize::from(k)], exponent as usize)
-        });
+        let factors = monomial
+            .powers()
+            .iter()
+            .flat_map(|&(k, exponent)| std::iter::repeat_n(&coordinates[usize::from(k)], exponent as usize));
         factors.fold(BernsteinForm::constant(value.clone()), |product, factor| product.multiply(factor))
     };
     let products = surface.terms().iter().map(product);

@@ -65,7 +65,8 @@ impl Cap {
         if self.corner_weight {
             text += "nonzero = [\"d\"]\n";
         }
-        text += &format!("convention = \"{}\"\n", if self.is_cartesian() { "cartesian" } else { "homogeneous" });
+        text +=
+            &format!("convention = \"{}\"\n", if self.is_cartesian() { "cartesian" } else { "homogeneous" });
         text += &format!("bidegree = [{m}, {n}]\n");
         text += "surface = \"X^2 + Y^2 + Z^2 - W^2\"\n\n";
         text += &net_to_toml(&points);
@@ -109,11 +110,15 @@ impl Cap {
     fn net(&self) -> Vec<Vec<Entries>> {
         let (m, n) = self.bidegree;
         let face = CubeFace::derive(Cap::field()).expect("the cube's side lies in Q(√2,√3)");
-        let along_u = [0, 1].map(|v| face.edge_along_u(v).expect("its weight lies in Q(√2,√3)").to_curve().elevated_to(m));
-        let along_v = [0, 1].map(|u| face.edge_along_v(u).expect("its weight lies in Q(√2,√3)").to_curve().elevated_to(n));
+        let along_u = [0, 1]
+            .map(|v| face.edge_along_u(v).expect("its weight lies in Q(√2,√3)").to_curve().elevated_to(m));
+        let along_v = [0, 1]
+            .map(|u| face.edge_along_v(u).expect("its weight lies in Q(√2,√3)").to_curve().elevated_to(n));
         let mut net = vec![vec![Entries::default(); n as usize + 1]; m as usize + 1];
         for (i, j) in iproduct!(0..=m, 0..=n) {
-            let edge = |curves: &[RationalArc; 2], which: u32, at: u32| self.entries(&curves[which as usize].points[at as usize], i, j);
+            let edge = |curves: &[RationalArc; 2], which: u32, at: u32| {
+                self.entries(&curves[which as usize].points[at as usize], i, j)
+            };
             net[i as usize][j as usize] = match (i, j) {
                 (0, _) => edge(&along_v, 0, j),
                 (_, 0) => edge(&along_u, 0, i),
@@ -166,9 +171,8 @@ impl Cap {
 }
 
 fn net_to_toml(points: &[Vec<Entries>]) -> String {
-    let widths: [usize; 4] = std::array::from_fn(|k| {
-        points.iter().flatten().map(|point| point[k].len()).max().unwrap_or(0)
-    });
+    let widths: [usize; 4] =
+        std::array::from_fn(|k| points.iter().flatten().map(|point| point[k].len()).max().unwrap_or(0));
     let mut text = String::from("net = [\n");
     for row in points {
         text += "  [\n";

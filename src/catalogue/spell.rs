@@ -13,7 +13,8 @@ pub fn spell(value: &FieldElement) -> String {
             (false, true) => " - ",
         });
         let divisor = numerator.gcd(value.denominator());
-        let (above, below) = (numerator.abs().exact_quotient(&divisor), value.denominator().exact_quotient(&divisor));
+        let (above, below) =
+            (numerator.abs().exact_quotient(&divisor), value.denominator().exact_quotient(&divisor));
         let root = format!("sqrt({})", value.field().under_root(subset));
         text.push_str(&match (subset, above == Integer::one()) {
             (0, _) => above.to_string(),

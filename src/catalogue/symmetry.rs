@@ -4,7 +4,8 @@
 type Motion = [[i32; 2]; 2];
 
 /// The rotations by 0°, 90°, 180°, 270°.
-pub(super) const ROTATIONS: [Motion; 4] = [[[1, 0], [0, 1]], [[0, -1], [1, 0]], [[-1, 0], [0, -1]], [[0, 1], [-1, 0]]];
+pub(super) const ROTATIONS: [Motion; 4] =
+    [[[1, 0], [0, 1]], [[0, -1], [1, 0]], [[-1, 0], [0, -1]], [[0, 1], [-1, 0]]];
 
 /// The rotations and reflections of the square.
 pub(super) const ALL: [Motion; 8] = [
@@ -27,7 +28,8 @@ pub(super) fn orbit(m: u32, group: &[Motion], i: u32, j: u32) -> ((u32, u32), [S
     // x grows with j and y with i; twice the distance from the middle is an integer.
     let place = |[x, y]: [i32; 2]| (((y + m as i32) / 2) as u32, ((x + m as i32) / 2) as u32);
     let here = [2 * j as i32 - m as i32, 2 * i as i32 - m as i32];
-    let representative = group.iter().map(|motion| place(apply(motion, here))).min().expect("a group has an identity");
+    let representative =
+        group.iter().map(|motion| place(apply(motion, here))).min().expect("a group has an identity");
     let start = [2 * representative.1 as i32 - m as i32, 2 * representative.0 as i32 - m as i32];
 
     // What the motions that fix the representative's place make of its coordinates.

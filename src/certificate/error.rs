@@ -70,7 +70,9 @@ impl fmt::Display for CertificateFault {
             Fault::Truncated { expected } => write!(f, "the certificate ends here, expected {expected}"),
             Fault::NoFinalNewline => write!(f, "the last line has no newline"),
             Fault::AfterEnd => write!(f, "text after the end line"),
-            Fault::CarriageReturn => write!(f, "carriage return, expected lines that end with a newline alone"),
+            Fault::CarriageReturn => {
+                write!(f, "carriage return, expected lines that end with a newline alone")
+            }
             Fault::Character => write!(f, "a character that is not printable ASCII"),
             Fault::Line { expected, found } => write!(f, "expected {expected}, found `{found}`"),
             Fault::StepNumber { expected, found } => write!(f, "expected step {expected}, found `{found}`"),

@@ -183,7 +183,8 @@ impl<'a> Reader<'a> {
 
     /// A canonical decimal number. What does not fit 32 bits names nothing a statement could have.
     fn index(&self, digits: &str) -> Result<u32, CertificateError> {
-        let decimal = !digits.is_empty() && digits.len() <= 10 && digits.bytes().all(|byte| byte.is_ascii_digit());
+        let decimal =
+            !digits.is_empty() && digits.len() <= 10 && digits.bytes().all(|byte| byte.is_ascii_digit());
         let canonical = decimal && (digits == "0" || !digits.starts_with('0'));
         digits.parse().ok().filter(|_| canonical).ok_or_else(|| {
             let found = digits.chars().take(24).collect();

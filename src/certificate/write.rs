@@ -6,7 +6,8 @@ use crate::exact::Ring;
 impl Certificate {
     /// The text, spelled with the names of the statement's ring.
     pub fn write(&self, ring: &Ring) -> String {
-        let mut lines = vec!["prove-cap certificate 1".to_owned(), format!("statement sha256 {}", self.statement)];
+        let mut lines =
+            vec!["prove-cap certificate 1".to_owned(), format!("statement sha256 {}", self.statement)];
         let count = match &self.argument {
             Argument::Impossible(steps) => {
                 lines.push("claim impossible".into());

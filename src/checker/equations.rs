@@ -53,7 +53,12 @@ impl Equations {
 }
 
 /// d·t[k] − 1, which has a zero in t[k] exactly where d ≠ 0.
-fn rabinowitsch(statement: &Statement, number: u32, assumed: &Polynomial, work: &mut Work) -> Result<Polynomial, Limit> {
+fn rabinowitsch(
+    statement: &Statement,
+    number: u32,
+    assumed: &Polynomial,
+    work: &mut Work,
+) -> Result<Polynomial, Limit> {
     // t[1] is the variable after the last unknown.
     let index = u32::try_from(statement.unknowns().len()).ok().and_then(|count| count.checked_add(number));
     let index = index.and_then(|index| u16::try_from(index.checked_sub(1)?).ok()).unwrap_or(T);

@@ -58,7 +58,10 @@ impl fmt::Display for Rejection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Rejection::OtherStatement { expected, actual } => {
-                write!(f, "the certificate is for another statement\nexpected  sha256 {expected}\nactual    sha256 {actual}")
+                write!(
+                    f,
+                    "the certificate is for another statement\nexpected  sha256 {expected}\nactual    sha256 {actual}"
+                )
             }
             Rejection::NoSuchPremise { step, premise } => {
                 write!(f, "step {step}: the statement has no {premise}")
@@ -77,7 +80,9 @@ impl fmt::Display for Rejection {
                 write!(f, "step {step}: the conclusion is that of {earlier}")
             }
             Rejection::UnusedStep { step } => write!(f, "step {step}: no later step uses it"),
-            Rejection::NoSteps => write!(f, "there is no step\nexpected  a last conclusion 1\nactual    none"),
+            Rejection::NoSteps => {
+                write!(f, "there is no step\nexpected  a last conclusion 1\nactual    none")
+            }
             Rejection::LastConclusion { step, actual } => {
                 write!(f, "step {step}: the last conclusion is not 1\nexpected  1\nactual    {actual}")
             }

@@ -28,11 +28,12 @@ pub(super) fn replay(
         let mut pairs = Vec::with_capacity(step.combination.len());
         for (premise, multiplier) in &step.combination {
             pairs.push((multiplier, find(*premise, number, equations, steps, &first, &mut used)?));
-            multiplier_terms = multiplier_terms.saturating_add(multiplier.len());
+            multiplier_terms = multiplier_terms.saturating_add(multiplier.term_count());
         }
         let actual = combination(&pairs, statement.field(), work)?;
         if actual != step.conclusion {
-            let (expected, actual) = (shortened(ring.spell(&step.conclusion)), shortened(ring.spell(&actual)));
+            let (expected, actual) =
+                (shortened(ring.spell(&step.conclusion)), shortened(ring.spell(&actual)));
             return Err(Rejection::WrongConclusion { step: number, expected, actual }.into());
         }
         if actual.is_zero() {
@@ -46,7 +47,9 @@ pub(super) fn replay(
         first.insert(&step.conclusion, Premise::Step(u32::try_from(number).unwrap_or(u32::MAX)));
     }
 
-    let Some(last) = steps.last() else { return Err(Rejection::NoSteps.into()) };
+    let Some(last) = steps.last() else {
+        return Err(Rejection::NoSteps.into());
+    };
     if !last.conclusion.is_one() {
         let actual = shortened(ring.spell(&last.conclusion));
         return Err(Rejection::LastConclusion { step: steps.len(), actual }.into());
@@ -72,7 +75,8 @@ fn find<'a>(
     let polynomial = match premise {
         Premise::Step(step) => {
             // The reader has refused steps that are not earlier; a certificate built in memory has not been read.
-            let index = usize::try_from(step).ok().and_then(|step| step.checked_sub(1)).ok_or_else(missing)?;
+            let index =
+                usize::try_from(step).ok().and_then(|step| step.checked_sub(1)).ok_or_else(missing)?;
             let position = number.checked_sub(1).ok_or_else(missing)?;
             if index >= position {
                 return Err(missing().into());

@@ -54,13 +54,27 @@ impl Theorem {
         &self.claim
     }
 
+    /// `impossible`, `exact` or `solution`.
+    pub fn kind(&self) -> &'static str {
+        match self.claim {
+            Claim::Impossible { .. } => "impossible",
+            Claim::Exact { .. } => "exact",
+            Claim::Solution { .. } => "solution",
+        }
+    }
+
     /// What was proved, as sentences.
     pub fn sentence(&self) -> String {
         let field = self.statement.field();
         let ring = self.statement.ring();
-        let assumed: Vec<String> =
-            self.statement.nonzero().iter().map(|polynomial| format!("{} ≠ 0", ring.spell(polynomial))).collect();
-        let assuming = if assumed.is_empty() { String::new() } else { format!(" with {}", assumed.join(", ")) };
+        let assumed: Vec<String> = self
+            .statement
+            .nonzero()
+            .iter()
+            .map(|polynomial| format!("{} ≠ 0", ring.spell(polynomial)))
+            .collect();
+        let assuming =
+            if assumed.is_empty() { String::new() } else { format!(" with {}", assumed.join(", ")) };
         let unknowns = match self.statement.unknowns() {
             [] => "There being no unknowns".to_owned(),
             [one] => format!("For no value of {one}{assuming}, real or complex"),
@@ -90,7 +104,9 @@ impl Theorem {
                 } else {
                     "Not every weight is positive; that the denominator vanishes nowhere on the square is not claimed."
                 };
-                format!("{at} every point of the patch whose denominator is not zero lies on the surface. {defined}")
+                format!(
+                    "{at} every point of the patch whose denominator is not zero lies on the surface. {defined}"
+                )
             }
             (_, Claim::Solution { .. }) => {
                 format!("The stated values in {field} solve the system{assuming}.")

@@ -19,7 +19,9 @@ const DEFAULT: &str = "cap-2x2";
 /// the inscribed cube.
 #[derive(Debug, Parser)]
 #[command(version, max_term_width = 110, args_conflicts_with_subcommands = true)]
-#[command(after_help = "Exit status and first word: 0 VERIFIED, PROVED, EXACT; 1 REJECTED; 2 ERROR; 3 UNDECIDED.")]
+#[command(
+    after_help = "Exit status and first word: 0 VERIFIED, PROVED, EXACT; 1 REJECTED; 2 ERROR; 3 UNDECIDED."
+)]
 struct CommandLine {
     #[command(subcommand)]
     command: Option<Command>,
@@ -142,6 +144,7 @@ fn check_as_data(statement: &std::path::Path, certificate: &std::path::Path) -> 
         Ok(theorem) => (
             serde_json::json!({
                 "verdict": "VERIFIED",
+                "claim": theorem.kind(),
                 "theorem": theorem.sentence(),
                 "statement": crate::report::json::statement(theorem.statement()),
             }),

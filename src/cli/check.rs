@@ -45,17 +45,14 @@ pub fn run(statement: &Path, certificate: &Path) -> Result<Outcome, Failure> {
 /// `canonical`.
 pub fn canonical(statement: &Path) -> Result<Outcome, Failure> {
     let bytes = read_limited(statement, limits::STATEMENT_BYTES)?;
-    let read = Statement::read_bytes(&bytes).map_err(|error| Failure(format!("{}:{error}", statement.display())))?;
+    let read =
+        Statement::read_bytes(&bytes).map_err(|error| Failure(format!("{}:{error}", statement.display())))?;
     Ok(Outcome::plain(read.canonical()))
 }
 
 fn verified(theorem: &Theorem) -> String {
     let statement = theorem.statement();
-    let mut lines = vec![match theorem.claim() {
-        Claim::Impossible { .. } => "VERIFIED  impossible".to_owned(),
-        Claim::Exact { .. } => "VERIFIED  exact".to_owned(),
-        Claim::Solution { .. } => "VERIFIED  solution".to_owned(),
-    }];
+    let mut lines = vec![format!("VERIFIED  {}", theorem.kind())];
     lines.push(String::new());
     lines.push(theorem.sentence());
     lines.push(String::new());
@@ -63,7 +60,8 @@ fn verified(theorem: &Theorem) -> String {
     lines.push(format!("statement  sha256 {}", statement.hash()));
     match theorem.claim() {
         Claim::Impossible { steps, multiplier_terms } => {
-            lines.push(format!("replayed   {steps} steps with {multiplier_terms} terms in their multipliers"));
+            lines
+                .push(format!("replayed   {steps} steps with {multiplier_terms} terms in their multipliers"));
         }
         Claim::Exact { values, .. } | Claim::Solution { values } => {
             let ring = statement.ring();

@@ -24,9 +24,9 @@ pub fn run() -> Result<Outcome, Failure> {
         }
         ([Some("canonical"), _], [_, statement]) => check::canonical(Path::new(statement)),
         ([Some("--help" | "-h")], _) => Ok(Outcome::plain(USAGE.to_owned())),
-        ([Some("--version" | "-V")], _) => {
-            Ok(Outcome::plain(concat!("prove-cap ", env!("CARGO_PKG_VERSION"), " (checker only)\n").to_owned()))
-        }
+        ([Some("--version" | "-V")], _) => Ok(Outcome::plain(
+            concat!("prove-cap ", env!("CARGO_PKG_VERSION"), " (checker only)\n").to_owned(),
+        )),
         _ => Err(Failure(format!("expected one of the commands below\n\n{USAGE}"))),
     }
 }

@@ -15,7 +15,8 @@ pub(super) fn run(format: Format) -> Result<Outcome, Failure> {
     let _ = writeln!(text, "{:<width$}  unknowns  about", "name");
     for entry in ENTRIES {
         let statement = Statement::read(&entry.statement()).map_err(Failure::of)?;
-        let _ = writeln!(text, "{:<width$}  {:>8}  {}", entry.name, statement.unknowns().len(), entry.summary);
+        let _ =
+            writeln!(text, "{:<width$}  {:>8}  {}", entry.name, statement.unknowns().len(), entry.summary);
         data.push(serde_json::json!({
             "name": entry.name,
             "summary": entry.summary,

@@ -25,7 +25,8 @@ impl Source {
     pub(super) fn find(name_or_file: &Path) -> Result<Source, Failure> {
         if let Some(entry) = name_or_file.to_str().and_then(catalogue::find) {
             let text = entry.statement();
-            let statement = Statement::read(&text).map_err(|error| Failure(format!("{}:{error}", entry.name)))?;
+            let statement =
+                Statement::read(&text).map_err(|error| Failure(format!("{}:{error}", entry.name)))?;
             return Ok(Source { name: entry.name.to_owned(), text, statement, cap: entry.is_cap() });
         }
         if !name_or_file.exists() {
@@ -40,7 +41,8 @@ impl Source {
         let statement = Statement::read_bytes(&bytes)
             .map_err(|error| Failure(format!("{}:{error}", name_or_file.display())))?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
-        let name = name_or_file.file_stem().map_or("statement".into(), |stem| stem.to_string_lossy().into_owned());
+        let name =
+            name_or_file.file_stem().map_or("statement".into(), |stem| stem.to_string_lossy().into_owned());
         Ok(Source { name, text, statement, cap: false })
     }
 

@@ -28,12 +28,14 @@ impl Closure {
         basis: &[Source],
         control: &Control<'_>,
     ) -> Result<Closure, Interrupted> {
-        let basis: Vec<Polynomial> = basis.iter().map(|&source| derivation.polynomial(source).clone()).collect();
+        let basis: Vec<Polynomial> =
+            basis.iter().map(|&source| derivation.polynomial(source).clone()).collect();
         let mut verified = is_groebner_basis(&basis, control)?;
         for generator in derivation.generators() {
             control.check()?;
             let reduced = linear.substitute(derivation, generator);
-            verified &= reduced.is_none_or(|source| normal_form(derivation.polynomial(source), &basis).is_zero());
+            verified &=
+                reduced.is_none_or(|source| normal_form(derivation.polynomial(source), &basis).is_zero());
         }
         let of_basis = basis.iter().filter_map(|f| f.leading_term()).map(|(monomial, _)| monomial.clone());
         let leading: Vec<Monomial> = linear.variables().map(Monomial::variable).chain(of_basis).collect();
@@ -49,7 +51,9 @@ fn is_groebner_basis(basis: &[Polynomial], control: &Control<'_>) -> Result<bool
     for (k, f) in basis.iter().enumerate() {
         for g in &basis[..k] {
             control.check()?;
-            let (Some((a, x)), Some((b, y))) = (f.leading_term(), g.leading_term()) else { return Ok(false) };
+            let (Some((a, x)), Some((b, y))) = (f.leading_term(), g.leading_term()) else {
+                return Ok(false);
+            };
             if a.is_coprime_to(b) {
                 continue;
             }
@@ -90,7 +94,8 @@ fn normal_form(polynomial: &Polynomial, divisors: &[Polynomial]) -> Polynomial {
 /// The size of the largest set of variables that no leading monomial lies in (Cox, Little, O'Shea, section 9.3).
 fn dimension(leading: &[Monomial], variables: &[u16]) -> usize {
     // A variable that leads by itself is in no such set; one that never occurs is in all of them.
-    let free = variables.iter().filter(|&&v| leading.iter().all(|monomial| monomial.exponent(v) == 0)).count();
+    let free =
+        variables.iter().filter(|&&v| leading.iter().all(|monomial| monomial.exponent(v) == 0)).count();
     let undecided: Vec<u16> = variables
         .iter()
         .copied()
@@ -101,7 +106,9 @@ fn dimension(leading: &[Monomial], variables: &[u16]) -> usize {
 }
 
 fn largest_independent(leading: &[Monomial], undecided: &[u16], chosen: &mut Vec<u16>) -> usize {
-    let Some((&next, rest)) = undecided.split_first() else { return chosen.len() };
+    let Some((&next, rest)) = undecided.split_first() else {
+        return chosen.len();
+    };
     let without = largest_independent(leading, rest, chosen);
     chosen.push(next);
     let inside = |monomial: &Monomial| monomial.powers().iter().all(|(v, _)| chosen.contains(v));

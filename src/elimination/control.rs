@@ -52,8 +52,12 @@ pub enum Progress {
 impl fmt::Display for Progress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Progress::Linear { solved, left } => write!(f, "linear equations: {solved} variables eliminated, {left} equations left"),
-            Progress::Matrix { degree, rows, columns } => write!(f, "degree {degree}: {rows} multiples in {columns} monomials"),
+            Progress::Linear { solved, left } => {
+                write!(f, "linear equations: {solved} variables eliminated, {left} equations left")
+            }
+            Progress::Matrix { degree, rows, columns } => {
+                write!(f, "degree {degree}: {rows} multiples in {columns} monomials")
+            }
             Progress::Lifting { rows } => write!(f, "computing a combination of {rows} multiples exactly"),
         }
     }

@@ -24,6 +24,15 @@ pub struct DerivedStep {
     pub conclusion: Polynomial,
 }
 
+/// A step whose premises are named as certificates name them.
+#[derive(Debug, Clone)]
+pub struct NamedStep {
+    /// Premises in order, with their multipliers.
+    pub combination: Vec<(Premise, Polynomial)>,
+    /// The sum.
+    pub conclusion: Polynomial,
+}
+
 /// A growing list of exact linear combinations over a system.
 #[derive(Debug, Clone)]
 pub struct Derivation<'a> {
@@ -36,7 +45,8 @@ impl<'a> Derivation<'a> {
     /// Nothing derived yet.
     pub fn new(system: &'a System) -> Self {
         let generators = system.generators().iter().enumerate();
-        let known = generators.map(|(k, (_, polynomial))| (polynomial.clone(), Source::Generator(k))).collect();
+        let known =
+            generators.map(|(k, (_, polynomial))| (polynomial.clone(), Source::Generator(k))).collect();
         Derivation { system, steps: Vec::new(), known }
     }
 
@@ -67,7 +77,8 @@ impl<'a> Derivation<'a> {
             *sum = sum.add(&multiplier);
         }
         merged.retain(|_, multiplier| !multiplier.is_zero());
-        let products = merged.iter().map(|(&source, multiplier)| multiplier.multiply(self.polynomial(source)));
+        let products =
+            merged.iter().map(|(&source, multiplier)| multiplier.multiply(self.polynomial(source)));
         let terms: Vec<_> = products.flat_map(|product| product.terms().to_vec()).collect();
         let conclusion = Polynomial::from_terms(self.system.field(), terms);
         if conclusion.is_zero() {
@@ -89,11 +100,13 @@ impl<'a> Derivation<'a> {
 
     /// The steps that `target` depends on, in order, each given by named premises, `target`'s own last.
     /// `None` if the target is an equation of the system itself.
-    pub fn proof_of(&self, target: Source) -> Option<Vec<(Vec<(Premise, Polynomial)>, Polynomial)>> {
-        let Source::Derived(last) = target else { return None };
+    pub fn proof_of(&self, target: Source) -> Option<Vec<NamedStep>> {
+        let Source::Derived(last) = target else {
+            return None;
+        };
         let mut needed = vec![false; last + 1];
         needed[last] = true;
-        for k in (0..=last).rev().filter(|&k| k <= last) {
+        for k in (0..=last).rev() {
             if needed[k] {
                 for (source, _) in &self.steps[k].combination {
                     if let Source::Derived(earlier) = source {
@@ -114,7 +127,7 @@ impl<'a> Derivation<'a> {
             };
             let mut combination: Vec<_> = self.steps[k].combination.iter().map(named).collect();
             combination.sort_by_key(|(premise, _)| *premise);
-            proof.push((combination, self.steps[k].conclusion.clone()));
+            proof.push(NamedStep { combination, conclusion: self.steps[k].conclusion.clone() });
             numbers.insert(k, u32::try_from(proof.len()).expect("fewer than 2³² steps"));
         }
         Some(proof)

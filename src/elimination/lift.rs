@@ -53,7 +53,9 @@ pub(super) fn lift(
             left.chain([right]).collect()
         })
         .collect();
-    let Some(factors) = solve(equations, control)? else { return Ok(Err(Unlucky)) };
+    let Some(factors) = solve(equations, control)? else {
+        return Ok(Err(Unlucky));
+    };
 
     let mut combination: BTreeMap<Source, Polynomial> = BTreeMap::new();
     for (multiple, factor) in others.iter().zip(&factors).chain([(last, &field.one())]) {
@@ -82,7 +84,9 @@ fn solve(
         // The sparsest row with an entry here: fewer products, and smaller numbers.
         let candidates = (column..size).filter(|&row| !rows[row][column].is_zero());
         let filled = |row: usize| rows[row][column..].iter().filter(|value| !value.is_zero()).count();
-        let Some(pivot) = candidates.min_by_key(|&row| filled(row)) else { return Ok(None) };
+        let Some(pivot) = candidates.min_by_key(|&row| filled(row)) else {
+            return Ok(None);
+        };
         rows.swap(column, pivot);
         let inverse = rows[column][column].inverse().expect("the pivot is not zero");
         for value in &mut rows[column][column..] {

@@ -48,9 +48,15 @@ impl Linear {
             let (mut linear, mut nonlinear) = (Vec::new(), Vec::new());
             for &source in equations {
                 control.check()?;
-                let Some(reduced) = self.substitute(derivation, source) else { continue };
+                let Some(reduced) = self.substitute(derivation, source) else {
+                    continue;
+                };
                 match derivation.polynomial(reduced).degree() {
-                    Some(0) => return Ok(unit_from(derivation, reduced).map_or(Absorbed::Rest(Vec::new()), Absorbed::Unit)),
+                    Some(0) => {
+                        return Ok(
+                            unit_from(derivation, reduced).map_or(Absorbed::Rest(Vec::new()), Absorbed::Unit)
+                        );
+                    }
                     Some(1) => linear.push(reduced),
                     _ => nonlinear.push(reduced),
                 }
@@ -73,13 +79,16 @@ impl Linear {
         let mut multipliers: BTreeMap<Source, Polynomial> = BTreeMap::new();
         loop {
             let eliminable = |(monomial, value): &(Monomial, FieldElement)| {
-                let found = monomial.powers().iter().find_map(|&(v, _)| Some((v, *self.substitutions.get(&v)?)));
+                let found =
+                    monomial.powers().iter().find_map(|&(v, _)| Some((v, *self.substitutions.get(&v)?)));
                 found.map(|(v, equation)| {
                     let quotient = monomial.quotient(&Monomial::variable(v)).expect("the variable occurs");
                     (equation, quotient, -value)
                 })
             };
-            let Some((equation, quotient, factor)) = polynomial.terms().iter().find_map(eliminable) else { break };
+            let Some((equation, quotient, factor)) = polynomial.terms().iter().find_map(eliminable) else {
+                break;
+            };
             let shifted = derivation.polynomial(equation).shifted(&quotient);
             polynomial = polynomial.add_scaled(&factor, &shifted);
             let multiplier = multipliers.entry(equation).or_insert_with(|| Polynomial::zero(field));
@@ -90,7 +99,8 @@ impl Linear {
         }
         let factor = normalizing_factor(&polynomial);
         let mut combination = vec![(source, Polynomial::constant(field.one()).scaled(&factor))];
-        combination.extend(multipliers.into_iter().map(|(source, multiplier)| (source, multiplier.scaled(&factor))));
+        combination
+            .extend(multipliers.into_iter().map(|(source, multiplier)| (source, multiplier.scaled(&factor))));
         derivation.derive(combination)
     }
 
@@ -122,16 +132,20 @@ impl Linear {
         }
         // What is left has no variable.
         if let Some(row) = rows.first() {
-            let inverse = row.equation.as_constant().and_then(|constant| constant.inverse()).expect("not zero");
-            let contradiction = row.combination.iter().map(|(&source, factor)| {
-                (source, Polynomial::constant(factor * &inverse))
-            });
+            let inverse =
+                row.equation.as_constant().and_then(|constant| constant.inverse()).expect("not zero");
+            let contradiction = row
+                .combination
+                .iter()
+                .map(|(&source, factor)| (source, Polynomial::constant(factor * &inverse)));
             return Ok(derivation.derive(contradiction.collect()));
         }
         let mut fresh = BTreeMap::new();
         for (variable, row) in solved {
-            let combination = row.combination.into_iter().map(|(source, factor)| (source, Polynomial::constant(factor)));
-            fresh.insert(variable, derivation.derive(combination.collect()).expect("a pivot row is not zero"));
+            let combination =
+                row.combination.into_iter().map(|(source, factor)| (source, Polynomial::constant(factor)));
+            fresh
+                .insert(variable, derivation.derive(combination.collect()).expect("a pivot row is not zero"));
         }
         // The old substitutions must not mention the variables that are eliminated now.
         let newer = Linear { substitutions: fresh };
@@ -191,7 +205,9 @@ impl Row {
 
     /// Subtracts the multiple of `pivot`, monic in `variable`, that removes the variable.
     fn eliminate(&mut self, variable: u16, pivot: &Row) {
-        let Some(coefficient) = self.equation.coefficient(&Monomial::variable(variable)) else { return };
+        let Some(coefficient) = self.equation.coefficient(&Monomial::variable(variable)) else {
+            return;
+        };
         let factor = -coefficient;
         self.equation = self.equation.add_scaled(&factor, &pivot.equation);
         for (&source, value) in &pivot.combination {
@@ -211,7 +227,8 @@ fn pivot(rows: &[Row]) -> Option<(usize, u16)> {
         let monomial = Monomial::variable(variable);
         rows.iter().filter(|row| row.equation.coefficient(&monomial).is_some()).count()
     };
-    let variable = row.equation.variables().into_iter().min_by_key(|&variable| (occurrences(variable), variable))?;
+    let variable =
+        row.equation.variables().into_iter().min_by_key(|&variable| (occurrences(variable), variable))?;
     Some((position, variable))
 }
 

@@ -45,7 +45,10 @@ struct Element {
 enum Origin {
     Known(Source),
     /// The combination of these rows that has no monomial above `leading`; the last row occurs with factor 1.
-    Fallen { rows: Vec<u32>, leading: u32 },
+    Fallen {
+        rows: Vec<u32>,
+        leading: u32,
+    },
 }
 
 /// A prime that does not show the truth: another one must be tried.
@@ -147,7 +150,8 @@ impl Matrix {
                         super::linear::unit_from(derivation, source).map(Search::Unit).ok_or(Unlucky)
                     }));
                 }
-                let linear: Vec<u32> = fallen.iter().copied().filter(|&c| self.monomials[c as usize].degree() == 1).collect();
+                let linear: Vec<u32> =
+                    fallen.iter().copied().filter(|&c| self.monomials[c as usize].degree() == 1).collect();
                 if !linear.is_empty() {
                     return Ok(self.realize_all(&linear, derivation, control)?.map(Search::Linear));
                 }
@@ -173,7 +177,9 @@ impl Matrix {
     /// Rows and columns of the matrix of the next degree.
     fn size_at(&self, degree: u32) -> (usize, usize) {
         let variables = self.variables.len() as u32;
-        let count = |degree: u32| (1..=u64::from(degree)).fold(1u64, |c, k| c.saturating_mul(u64::from(variables) + k) / k);
+        let count = |degree: u32| {
+            (1..=u64::from(degree)).fold(1u64, |c, k| c.saturating_mul(u64::from(variables) + k) / k)
+        };
         let multiples = |element: &Element| degree.checked_sub(self.degree_of(element)).map_or(0, count);
         let rows = self.elements.iter().map(multiples).fold(0, u64::saturating_add);
         (rows as usize, count(degree) as usize)
@@ -184,7 +190,9 @@ impl Matrix {
         let mut fresh = Vec::new();
         for index in 0..self.elements.len() {
             let own = self.degree_of(&self.elements[index]);
-            let Some(top) = self.degree.checked_sub(own) else { continue };
+            let Some(top) = self.degree.checked_sub(own) else {
+                continue;
+            };
             let from = self.multiplied[index].map_or(0, |done| done + 1);
             for by in from..=top {
                 let multipliers = Monomial::all_of_degree(&self.variables, by);
@@ -243,7 +251,9 @@ impl Matrix {
         }
         let factors = match above.insert(last, &self.truncated(last, column)) {
             Inserted::Dependent(factors) => factors,
-            Inserted::Pivot(_) => unreachable!("above its leading column a row is a combination of the others"),
+            Inserted::Pivot(_) => {
+                unreachable!("above its leading column a row is a combination of the others")
+            }
         };
         let mut sum = vec![0; column as usize + 1];
         for &(id, factor) in &factors {
@@ -319,7 +329,9 @@ impl Matrix {
         for &id in &rows {
             let (index, multiplier) = self.rows[id as usize].clone();
             match self.realize(index, derivation, control)? {
-                Ok(source) => multiples.push(Multiple { source, multiplier, row: self.truncated(id, leading) }),
+                Ok(source) => {
+                    multiples.push(Multiple { source, multiplier, row: self.truncated(id, leading) });
+                }
                 Err(Unlucky) => return Ok(Err(Unlucky)),
             }
         }

@@ -20,7 +20,7 @@ mod system;
 
 pub use closure::Closure;
 pub use control::{Control, Interrupted, Progress};
-pub use derivation::{Derivation, DerivedStep, Source};
+pub use derivation::{Derivation, DerivedStep, NamedStep, Source};
 pub use system::System;
 
 use crate::algebra::FieldElement;

@@ -24,8 +24,8 @@ pub fn combination(
     work: &mut Work,
 ) -> Result<Polynomial, Limit> {
     for (a, b) in pairs {
-        work.charge_terms(a.len().saturating_mul(b.len()))?;
-        work.charge_terms(a.len().saturating_add(b.len()))?;
+        work.charge_terms(a.term_count().saturating_mul(b.term_count()))?;
+        work.charge_terms(a.term_count().saturating_add(b.term_count()))?;
     }
     let mut denominator = BigInt::one();
     let mut denominators = Vec::with_capacity(pairs.len());
@@ -72,7 +72,7 @@ fn integral(
     factor: &BigInt,
     work: &mut Work,
 ) -> Result<Vec<(Monomial, BigInt)>, Limit> {
-    let mut terms = Vec::with_capacity(polynomial.len());
+    let mut terms = Vec::with_capacity(polynomial.term_count());
     for (monomial, value) in polynomial.terms() {
         work.charge_product(factor, value.numer())?;
         terms.push((monomial.clone(), factor / value.denom() * value.numer()));

@@ -59,7 +59,7 @@ impl Polynomial {
     }
 
     /// The number of terms `rational · √n · power product`.
-    pub fn len(&self) -> usize {
+    pub fn term_count(&self) -> usize {
         self.terms.len()
     }
 
@@ -87,14 +87,16 @@ impl Polynomial {
     pub fn as_rational(&self) -> Option<BigRational> {
         match self.terms.first_key_value() {
             None => Some(BigRational::zero()),
-            Some((monomial, value)) if self.len() == 1 && *monomial == Monomial::one() => Some(value.clone()),
+            Some((monomial, value)) if self.term_count() == 1 && *monomial == Monomial::one() => {
+                Some(value.clone())
+            }
             Some(_) => None,
         }
     }
 
     /// `self + other`.
     pub fn add(&self, other: &Self, work: &mut Work) -> Result<Self, Limit> {
-        work.charge_terms(self.len().saturating_add(other.len()))?;
+        work.charge_terms(self.term_count().saturating_add(other.term_count()))?;
         let mut terms = self.terms.clone();
         for (monomial, value) in &other.terms {
             let sum = terms.remove(monomial).unwrap_or_else(BigRational::zero) + value;
@@ -158,7 +160,12 @@ impl Polynomial {
     }
 
     /// The value at `variable k = values[k]`; variables beyond the list stay.
-    pub fn substitute(&self, values: &[Polynomial], field: &Radicands, work: &mut Work) -> Result<Self, Limit> {
+    pub fn substitute(
+        &self,
+        values: &[Polynomial],
+        field: &Radicands,
+        work: &mut Work,
+    ) -> Result<Self, Limit> {
         let mut sum = Polynomial::zero();
         for (monomial, coefficient) in &self.terms {
             let mut product = Polynomial::term(coefficient.clone(), Monomial::radical(monomial.mask()));

@@ -39,9 +39,8 @@ pub fn sign(value: &Polynomial, field: &Radicands, work: &mut Work) -> Result<Op
     if of_plain == of_root || of_plain == Ordering::Equal {
         return Ok(Some(of_root));
     }
-    let squares = plain
-        .multiply(&plain, field, work)?
-        .add(&root.multiply(&root, field, work)?.negate(), work)?;
+    let squares =
+        plain.multiply(&plain, field, work)?.add(&root.multiply(&root, field, work)?.negate(), work)?;
     Ok(sign(&squares, field, work)?.map(|larger| match larger {
         Ordering::Greater => of_plain,
         _ => of_root,

@@ -51,7 +51,9 @@ impl From<Limit> for SpellingError {
 impl fmt::Display for SpellingError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            SpellingError::Expected { expected, found, .. } => write!(f, "expected {expected}, found {found}"),
+            SpellingError::Expected { expected, found, .. } => {
+                write!(f, "expected {expected}, found {found}")
+            }
             SpellingError::Limit(limit) => limit.fmt(f),
         }
     }
@@ -66,7 +68,7 @@ impl SpellingError {
             SpellingError::Expected { at, expected, found } => {
                 SpellingError::Expected { at: at.saturating_add(offset), expected, found }
             }
-            limit => limit,
+            limit @ SpellingError::Limit(_) => limit,
         }
     }
 }
@@ -251,7 +253,8 @@ impl<'a> Reader<'a, '_> {
     fn root(&mut self) -> Result<u8, SpellingError> {
         let start = self.at;
         let number = self.natural()?;
-        let mask = self.ring.field.masks().find(|&mask| mask != 0 && self.ring.field.under_root(mask) == number);
+        let mask =
+            self.ring.field.masks().find(|&mask| mask != 0 && self.ring.field.under_root(mask) == number);
         match mask {
             Some(mask) if self.take(")") => Ok(mask),
             Some(_) => self.fail("`)`"),

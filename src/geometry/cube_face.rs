@@ -46,7 +46,13 @@ impl GreatCircleArc {
         let scale = dot(&middle, start).inverse()?;
         let tangents_meet: Vector = std::array::from_fn(|k| &middle[k] * &scale);
         let weight = field.square_root(&dot(&middle, &middle))?;
-        Some(GreatCircleArc { start: start.clone(), end: end.clone(), middle_of_chord: middle, tangents_meet, weight })
+        Some(GreatCircleArc {
+            start: start.clone(),
+            end: end.clone(),
+            middle_of_chord: middle,
+            tangents_meet,
+            weight,
+        })
     }
 
     /// The control points A, P, B with weights 1, cos(α/2), 1, premultiplied.
@@ -54,7 +60,11 @@ impl GreatCircleArc {
         let one = self.weight.field().one();
         let point = |p: &Vector, w: &FieldElement| [&p[0] * w, &p[1] * w, &p[2] * w, w.clone()];
         RationalArc {
-            points: vec![point(&self.start, &one), point(&self.tangents_meet, &self.weight), point(&self.end, &one)],
+            points: vec![
+                point(&self.start, &one),
+                point(&self.tangents_meet, &self.weight),
+                point(&self.end, &one),
+            ],
         }
     }
 }
@@ -71,10 +81,8 @@ impl CubeFace {
         let plus = &side * &fraction(1, 2);
         let minus = -&plus;
         let corner = |y: &FieldElement, x: &FieldElement| [x.clone(), y.clone(), plus.clone()];
-        let corners = [
-            [corner(&minus, &minus), corner(&minus, &plus)],
-            [corner(&plus, &minus), corner(&plus, &plus)],
-        ];
+        let corners =
+            [[corner(&minus, &minus), corner(&minus, &plus)], [corner(&plus, &minus), corner(&plus, &plus)]];
         Some(CubeFace { side, corners })
     }
 

@@ -2,4 +2,4 @@
 
 mod cube_face;
 
-pub use cube_face::{CubeFace, GreatCircleArc, dot};
+pub use cube_face::{CubeFace, GreatCircleArc, Vector, dot};

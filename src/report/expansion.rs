@@ -33,7 +33,9 @@ pub struct Coefficient {
 /// # Errors
 /// Where a coefficient exceeds what the formats allow.
 pub fn coefficients(statement: &Statement, basis: Basis) -> Result<Option<Vec<Coefficient>>, Limit> {
-    let Some(form) = condition_of(statement) else { return Ok(None) };
+    let Some(form) = condition_of(statement) else {
+        return Ok(None);
+    };
     let entries: Vec<_> = match basis {
         Basis::Bernstein => form.coefficients().map(|(r, s, c)| (r, s, c.clone())).collect(),
         Basis::Monomial => form.to_monomial_basis(),
@@ -78,17 +80,19 @@ pub fn describe_expansion(statement: &Statement, basis: Basis) -> Result<String,
     };
     let (last_r, last_s) = list.last().map_or((0, 0), |last| last.index);
     let (r, s) = match basis {
-        Basis::Bernstein => (
-            format!("uʳ(1−u){}⁻ʳ", superscript_of(last_r)),
-            format!("vˢ(1−v){}⁻ˢ", superscript_of(last_s)),
-        ),
+        Basis::Bernstein => {
+            (format!("uʳ(1−u){}⁻ʳ", superscript_of(last_r)), format!("vˢ(1−v){}⁻ˢ", superscript_of(last_s)))
+        }
         Basis::Monomial => ("uⁱ".to_owned(), "vʲ".to_owned()),
     };
     let letter = if basis == Basis::Bernstein { "c[r,s]" } else { "a[i,j]" };
     let surface = surface_text(statement);
     let _ = writeln!(text, "F = {surface} = Σ {letter} {r} {s}");
     if list.iter().any(|coefficient| coefficient.name == "a1") {
-        let _ = writeln!(text, "a1, …, a16 are the coefficients of uⁱvʲ, i, j = 1, …, 4, row by row (the paper's Eq. 10).");
+        let _ = writeln!(
+            text,
+            "a1, …, a16 are the coefficients of uⁱvʲ, i, j = 1, …, 4, row by row (the paper's Eq. 10)."
+        );
     }
     let width = list.iter().filter(|c| !c.value.is_zero()).map(|c| c.name.len()).max().unwrap_or(0);
     text.push('\n');
@@ -96,7 +100,12 @@ pub fn describe_expansion(statement: &Statement, basis: Basis) -> Result<String,
         let _ = writeln!(text, "{:<width$} = {}", coefficient.name, notation.polynomial(&coefficient.value));
     }
     let (distinct, zero) = grouped(&list);
-    let _ = writeln!(text, "\n{} coefficients: {zero} zero, {} distinct among the others.", list.len(), distinct.len());
+    let _ = writeln!(
+        text,
+        "\n{} coefficients: {zero} zero, {} distinct among the others.",
+        list.len(),
+        distinct.len()
+    );
     Ok(text)
 }
 

@@ -62,6 +62,9 @@ struct ValueData {
 #[derive(Debug, Serialize)]
 pub struct AttemptData {
     verdict: &'static str,
+    /// `impossible`, `exact` or `solution`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    claim: Option<&'static str>,
     name: String,
     statement: StatementData,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -132,7 +135,11 @@ pub fn expansion(statement: &Statement, basis: Basis) -> Result<Option<Vec<Coeff
     let ring = statement.ring();
     let data = |list: Vec<super::Coefficient>| {
         let nonzero = list.into_iter().filter(|coefficient| !coefficient.value.is_zero());
-        let entry = |c: super::Coefficient| CoefficientData { value: ring.spell(&c.value), name: c.name, index: c.index };
+        let entry = |c: super::Coefficient| CoefficientData {
+            value: ring.spell(&c.value),
+            name: c.name,
+            index: c.index,
+        };
         nonzero.map(entry).collect()
     };
     Ok(coefficients(statement, basis)?.map(data))
@@ -150,6 +157,7 @@ pub fn attempt(
 ) -> Result<AttemptData, Limit> {
     let mut data = AttemptData {
         verdict: "UNDECIDED",
+        claim: None,
         name: name.to_owned(),
         statement: statement(of),
         bernstein: expansion(of, Basis::Bernstein)?,
@@ -168,7 +176,9 @@ pub fn attempt(
     match attempt {
         Attempt::Undecided(why) => data.reason = Some(reason(of, why)?),
         Attempt::Proved { certificate, theorem } => {
-            data.verdict = if matches!(theorem.claim(), Claim::Impossible { .. }) { "PROVED" } else { "EXACT" };
+            data.verdict =
+                if matches!(theorem.claim(), Claim::Impossible { .. }) { "PROVED" } else { "EXACT" };
+            data.claim = Some(theorem.kind());
             data.theorem = Some(theorem.sentence());
             if let Argument::Impossible(steps) = &certificate.argument {
                 data.steps = Some(steps.iter().map(|step| step_data(of, step)).collect());
@@ -183,7 +193,8 @@ fn solution(data: &mut AttemptData, theorem: &Theorem) {
     let statement = theorem.statement();
     let named = |values: &[Polynomial]| {
         let pairs = statement.unknowns().iter().zip(values);
-        let spelled = pairs.map(|(name, value)| ValueData { unknown: name.clone(), value: statement.ring().spell(value) });
+        let spelled = pairs
+            .map(|(name, value)| ValueData { unknown: name.clone(), value: statement.ring().spell(value) });
         Some(spelled.collect())
     };
     match theorem.claim() {
@@ -203,7 +214,10 @@ fn step_data(statement: &Statement, step: &Step) -> StepData {
         premise: premise.to_string(),
         multiplier: ring.spell(multiplier),
     };
-    StepData { premises: step.combination.iter().map(premise).collect(), conclusion: ring.spell(&step.conclusion) }
+    StepData {
+        premises: step.combination.iter().map(premise).collect(),
+        conclusion: ring.spell(&step.conclusion),
+    }
 }
 
 fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
@@ -218,7 +232,12 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
             for polynomial in closure.linear.iter().chain(&closure.basis) {
                 basis.push(statement.ring().spell(&crate::algebra::polynomial_to_exact(polynomial)?));
             }
-            ReasonData::Consistent { dimension: closure.dimension, zeros: closure.zeros, verified: closure.verified, basis }
+            ReasonData::Consistent {
+                dimension: closure.dimension,
+                zeros: closure.zeros,
+                verified: closure.verified,
+                basis,
+            }
         }
     })
 }

@@ -71,12 +71,16 @@ impl Notation {
     /// Like [`Notation::polynomial`], with brackets around a sum, to stand as a factor.
     pub fn factor(&self, polynomial: &Polynomial) -> String {
         let text = self.polynomial(polynomial);
-        if text.contains(' ') || text.contains('/') && !text.starts_with('(') { format!("({text})") } else { text }
+        if text.contains(' ') || text.contains('/') && !text.starts_with('(') {
+            format!("({text})")
+        } else {
+            text
+        }
     }
 
     /// The polynomial if it is short, otherwise its beginning and its length.
     pub fn shortened(&self, polynomial: &Polynomial, characters: usize) -> String {
-        shorten(self.polynomial(polynomial), characters, polynomial.len())
+        shorten(self.polynomial(polynomial), characters, polynomial.term_count())
     }
 }
 

@@ -4,7 +4,10 @@ mod attempt;
 mod expansion;
 pub mod json;
 mod mathematics;
+mod refutation;
 mod setting;
+mod solution;
+mod undecided;
 
 pub use attempt::{Files, describe};
 pub use expansion::{Basis, Coefficient, coefficients, describe_expansion, grouped};

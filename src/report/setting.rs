@@ -7,9 +7,10 @@ use crate::algebra::{FieldElement, Polynomial, polynomial_to_exact};
 use crate::catalogue::Cap;
 use crate::exact::{Limit, Radicands, Ring};
 use crate::geometry::{CubeFace, dot};
+use crate::statement::Patch;
 
 /// The lines that lead from the cube to the control points of an edge. Every value printed is computed here.
-pub(super) fn cube_face() -> Result<String, Limit> {
+pub(super) fn cube_face(patch: &Patch, free_weights: bool) -> Result<String, Limit> {
     let field = Cap::field();
     let face = CubeFace::derive(field).expect("the cube's side lies in Q(√2,√3)");
     let arc = face.edge_along_v(0).expect("the weight lies in Q(√2,√3)");
@@ -26,18 +27,38 @@ pub(super) fn cube_face() -> Result<String, Limit> {
     // Each line with the paper's number for it.
     let lines = [
         ("The unit sphere, R = 1, and the face z > 0 of the inscribed cube of side a:".to_owned(), ""),
-        (format!("a²/2 + a²/4 = R², so a² = {} and a = {}", number(&side_squared)?, number(&face.side)?), "A-3, 1"),
+        (
+            format!("a²/2 + a²/4 = R², so a² = {} and a = {}", number(&side_squared)?, number(&face.side)?),
+            "A-3, 1",
+        ),
         (format!("A = {}, B = {}, …", point(&arc.start)?, point(&arc.end)?), "3"),
-        (format!("M = (A+B)/2 = {}, |OM|² = {}", point(&arc.middle_of_chord)?, number(&middle_squared)?), "A-1, A-2"),
+        (
+            format!("M = (A+B)/2 = {}, |OM|² = {}", point(&arc.middle_of_chord)?, number(&middle_squared)?),
+            "A-1, A-2",
+        ),
         (format!("The tangents at A and B meet in P = M/(M·A) = {}", point(&arc.tangents_meet)?), "A-10"),
         (format!("Its weight is cos(α/2) = |OM|/R = {}; A and B have weight 1", number(&arc.weight)?), "A-8"),
-        ("The other three edges likewise; a bracket on the right is the paper's equation.".to_owned(), ""),
+        ("The other three edges likewise. (Numbers on the right are the paper's.)".to_owned(), ""),
     ];
     let width = lines.iter().map(|(line, _)| line.chars().count()).max().unwrap_or(0);
     let mut text = String::new();
     for (line, equation) in lines {
         let numbered = if equation.is_empty() { line } else { format!("{line:<width$}   ({equation})") };
         let _ = writeln!(text, "   {numbered}");
+    }
+    let (m, n) = patch.bidegree;
+    if m.max(n) > 2 {
+        let _ = writeln!(
+            text,
+            "   The edges are raised in degree to {m} along u and {n} along v; the arcs stay the same."
+        );
+    }
+    if free_weights {
+        let _ = writeln!(
+            text,
+            "   Scaling and reparametrising the patch makes three corner weights 1; the fourth is d², and an"
+        );
+        let _ = writeln!(text, "   edge between weights p and q has the middle weight cos(α/2)·√(pq).");
     }
     Ok(text)
 }

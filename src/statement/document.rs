@@ -16,7 +16,11 @@ use super::expression::{Scope, evaluate, moved};
 /// A value with its place.
 pub(super) type Value<'a> = Spanned<DeValue<'a>>;
 
-const KEYS: &str = "title, radicands, unknowns, nonzero, define, convention, surface, bidegree, net, polynomials";
+/// A polynomial with the bytes of the file it was read from.
+type LocatedPolynomial = (Polynomial, Range<usize>);
+
+const KEYS: &str =
+    "title, radicands, unknowns, nonzero, define, convention, surface, bidegree, net, polynomials";
 
 impl Statement {
     /// Reads a statement file.
@@ -24,7 +28,9 @@ impl Statement {
     /// # Errors
     /// [`StatementError`] with line, column, the offending text and what was expected.
     pub fn read(text: &str) -> Result<Statement, StatementError> {
-        Document::parse(text).and_then(|document| document.statement()).map_err(|located| locate(text, located))
+        Document::parse(text)
+            .and_then(|document| document.statement())
+            .map_err(|located| locate(text, located))
     }
 
     /// Reads the bytes of a statement file, within the limits of the format.
@@ -68,7 +74,8 @@ impl<'a> Document<'a> {
         let constants = self.constants(&field, &unknowns, &mut work)?;
         let scope = Scope { field: &field, variables: &unknowns, constants: &constants };
 
-        let nonzero = self.polynomials("nonzero", limits::ASSUMPTIONS, &scope, &mut work)?.unwrap_or_default();
+        let nonzero =
+            self.polynomials("nonzero", limits::ASSUMPTIONS, &scope, &mut work)?.unwrap_or_default();
         if let Some((_, span)) = nonzero.iter().find(|(polynomial, _)| polynomial.is_zero()) {
             return Err((StatementFault::ZeroAssumed, span.clone()));
         }
@@ -86,7 +93,8 @@ impl<'a> Document<'a> {
         for key in self.table.keys() {
             if !KEYS.split(", ").any(|known| known == key.get_ref().as_ref()) {
                 let name = key.get_ref().chars().take(limits::NAME).collect::<String>();
-                let fault = StatementFault::UnknownKey { key: name.escape_debug().to_string(), expected: KEYS };
+                let fault =
+                    StatementFault::UnknownKey { key: name.escape_debug().to_string(), expected: KEYS };
                 return Err((fault, key.span()));
             }
         }
@@ -101,11 +109,7 @@ impl<'a> Document<'a> {
     }
 
     /// A key's value, or the error that it is missing.
-    pub(super) fn required(
-        &self,
-        key: &'static str,
-        expected: &'static str,
-    ) -> Result<&Value<'a>, Located> {
+    pub(super) fn required(&self, key: &'static str, expected: &'static str) -> Result<&Value<'a>, Located> {
         self.table.get(key).ok_or((StatementFault::MissingKey { key, expected }, 0..0))
     }
 
@@ -114,7 +118,10 @@ impl<'a> Document<'a> {
         let title = string(value, "a string")?;
         if title.chars().count() > limits::TITLE || title.chars().any(char::is_control) {
             let expected = "at most 200 characters on one line";
-            return Err((StatementFault::WrongType { expected, found: "a longer or unprintable title" }, value.span()));
+            return Err((
+                StatementFault::WrongType { expected, found: "a longer or unprintable title" },
+                value.span(),
+            ));
         }
         Ok(title.to_owned())
     }
@@ -153,7 +160,9 @@ impl<'a> Document<'a> {
         unknowns: &[String],
         work: &mut Work,
     ) -> Result<Vec<(String, Polynomial)>, Located> {
-        let Some(value) = self.table.get("define") else { return Ok(Vec::new()) };
+        let Some(value) = self.table.get("define") else {
+            return Ok(Vec::new());
+        };
         let table = value.get_ref().as_table().ok_or_else(|| wrong_type(value, "a table of constants"))?;
         let mut entries: Vec<_> = table.iter().collect();
         entries.sort_by_key(|(key, _)| key.span().start);
@@ -176,8 +185,10 @@ impl<'a> Document<'a> {
         at_most: usize,
         scope: &Scope<'_>,
         work: &mut Work,
-    ) -> Result<Option<Vec<(Polynomial, Range<usize>)>>, Located> {
-        let Some(value) = self.table.get(key) else { return Ok(None) };
+    ) -> Result<Option<Vec<LocatedPolynomial>>, Located> {
+        let Some(value) = self.table.get(key) else {
+            return Ok(None);
+        };
         let items = array(value, "a list of expressions")?;
         if items.len() > at_most {
             let fault = Limit::new("polynomials in one list", u64::try_from(at_most).unwrap_or(u64::MAX));
@@ -226,7 +237,10 @@ pub(super) fn string<'a>(value: &'a Value<'_>, expected: &'static str) -> Result
     value.get_ref().as_str().ok_or_else(|| wrong_type(value, expected))
 }
 
-pub(super) fn array<'a, 'b>(value: &'a Value<'b>, expected: &'static str) -> Result<&'a [Value<'b>], Located> {
+pub(super) fn array<'a, 'b>(
+    value: &'a Value<'b>,
+    expected: &'static str,
+) -> Result<&'a [Value<'b>], Located> {
     value.get_ref().as_array().map(|items| &**items).ok_or_else(|| wrong_type(value, expected))
 }
 

@@ -86,7 +86,9 @@ impl fmt::Display for StatementFault {
         match self {
             Fault::Toml(message) => write!(f, "not TOML: {message}"),
             Fault::Encoding => write!(f, "not UTF-8 text"),
-            Fault::UnknownKey { key, expected } => write!(f, "unknown key `{key}`, expected one of {expected}"),
+            Fault::UnknownKey { key, expected } => {
+                write!(f, "unknown key `{key}`, expected one of {expected}")
+            }
             Fault::MissingKey { key, expected } => write!(f, "`{key}` is missing, expected {expected}"),
             Fault::WrongType { expected, found } => write!(f, "expected {expected}, found {found}"),
             Fault::Conflict { key, with } => write!(f, "`{key}` and `{with}` exclude each other"),
@@ -105,19 +107,31 @@ impl fmt::Display for StatementFault {
                 write!(f, "the net has {found} rows, expected {expected} (i = 0, …, m along u)")
             }
             Fault::Columns { row, expected, found } => {
-                write!(f, "row {row} of the net has {found} points, expected {expected} (j = 0, …, n along v)")
+                write!(
+                    f,
+                    "row {row} of the net has {found} points, expected {expected} (j = 0, …, n along v)"
+                )
             }
-            Fault::Entries { expected, found } => write!(f, "a point of {found} entries, expected {expected}"),
+            Fault::Entries { expected, found } => {
+                write!(f, "a point of {found} entries, expected {expected}")
+            }
             Fault::NotHomogeneous { degree, other } => {
-                write!(f, "the surface is not homogeneous: it has terms of degree {degree} and of degree {other}")
+                write!(
+                    f,
+                    "the surface is not homogeneous: it has terms of degree {degree} and of degree {other}"
+                )
             }
             Fault::NoSurface => write!(f, "the surface has degree 0, expected a polynomial in X, Y, Z, W"),
             Fault::ZeroAssumed => write!(f, "the zero polynomial is assumed not to vanish"),
             Fault::Syntax { expected, found } => write!(f, "expected {expected}, found {found}"),
-            Fault::UnknownSymbol { name, expected } => write!(f, "unknown symbol `{name}`, expected {expected}"),
+            Fault::UnknownSymbol { name, expected } => {
+                write!(f, "unknown symbol `{name}`, expected {expected}")
+            }
             Fault::Root { value, field } => write!(f, "the square root of {value} is not in {field}"),
             Fault::DivisionByZero => write!(f, "division by zero"),
-            Fault::DivisionByUnknown => write!(f, "division by an expression with unknowns, expected a constant"),
+            Fault::DivisionByUnknown => {
+                write!(f, "division by an expression with unknowns, expected a constant")
+            }
             Fault::Limit(limit) => limit.fmt(f),
         }
     }

@@ -49,7 +49,8 @@ impl<'a> Parser<'a, '_> {
     }
 
     fn skip_space(&mut self) {
-        let blank = self.rest().len().saturating_sub(self.rest().trim_start_matches([' ', '\t', '\n', '\r']).len());
+        let blank =
+            self.rest().len().saturating_sub(self.rest().trim_start_matches([' ', '\t', '\n', '\r']).len());
         self.at = self.at.saturating_add(blank);
     }
 
@@ -251,6 +252,8 @@ impl<'a> Parser<'a, '_> {
 
 /// Moves the place of a fault by the offset of its expression, or to the whole of it if that is not known.
 pub(super) fn moved((fault, span): Located, whole: &Range<usize>, offset: Option<usize>) -> Located {
-    let Some(offset) = offset else { return (fault, whole.clone()) };
+    let Some(offset) = offset else {
+        return (fault, whole.clone());
+    };
     (fault, span.start.saturating_add(offset)..span.end.saturating_add(offset))
 }

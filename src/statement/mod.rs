@@ -4,6 +4,19 @@
 //! evaluated exactly; [`Statement::canonical`] writes the one canonical text of its mathematical content,
 //! whose SHA-256 a certificate names. Grammar and meaning: `proofs/FORMAT.md`.
 
+// No rejecting check is an assertion, and no machine arithmetic wraps: see ARCHITECTURE.md, "The trusted part".
+#![deny(
+    clippy::arithmetic_side_effects,
+    clippy::as_conversions,
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::string_slice,
+    clippy::unreachable,
+    clippy::unwrap_used
+)]
+#![deny(clippy::disallowed_macros, reason = "assert! and its like")]
+
 mod canonical;
 mod document;
 mod error;
@@ -80,7 +93,10 @@ impl Statement {
     /// The unknowns followed by the Rabinowitsch variables t[1], t[2], …, one for each assumption.
     pub fn ring(&self) -> Ring {
         let rabinowitsch = (1..=self.nonzero.len()).map(|number| format!("t[{number}]"));
-        Ring { field: self.field.clone(), variables: self.unknowns.iter().cloned().chain(rabinowitsch).collect() }
+        Ring {
+            field: self.field.clone(),
+            variables: self.unknowns.iter().cloned().chain(rabinowitsch).collect(),
+        }
     }
 
     /// The ring of the surface: X, Y, Z, W.

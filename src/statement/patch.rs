@@ -20,7 +20,8 @@ enum Convention {
 }
 
 impl Convention {
-    const BOTH: &'static str = "\"cartesian\" (point x, y, z and weight w) or \"homogeneous\" (premultiplied wx, wy, wz, w)";
+    const BOTH: &'static str =
+        "\"cartesian\" (point x, y, z and weight w) or \"homogeneous\" (premultiplied wx, wy, wz, w)";
 
     fn entries(self) -> &'static str {
         match self {
@@ -36,7 +37,8 @@ pub(super) fn read_patch<'a>(
     surface_scope: &Scope<'_>,
     work: &mut Work,
 ) -> Result<Patch, Located> {
-    let net_value = document.required("net", "the rows of control points (or `polynomials` for a bare system)")?;
+    let net_value =
+        document.required("net", "the rows of control points (or `polynomials` for a bare system)")?;
     let value = document.required("convention", Convention::BOTH)?;
     let convention = match string(value, Convention::BOTH)? {
         "cartesian" => Convention::Cartesian,
@@ -57,7 +59,8 @@ pub(super) fn read_patch<'a>(
     };
 
     let rows = array(net_value, "a list of rows")?;
-    let (expected_rows, expected_columns) = (u64::from(bidegree.0).saturating_add(1), u64::from(bidegree.1).saturating_add(1));
+    let (expected_rows, expected_columns) =
+        (u64::from(bidegree.0).saturating_add(1), u64::from(bidegree.1).saturating_add(1));
     if !matches(rows.len(), expected_rows) {
         return Err((StatementFault::Rows { expected: expected_rows, found: rows.len() }, net_value.span()));
     }
@@ -85,7 +88,10 @@ fn read_bidegree(document: &Document<'_>) -> Result<(u32, u32), Located> {
             integer(m, "the degree in u", 1, limits::BIDEGREE)?,
             integer(n, "the degree in v", 1, limits::BIDEGREE)?,
         )),
-        _ => Err((StatementFault::WrongType { expected: "[m, n]", found: "a list of another length" }, value.span())),
+        _ => Err((
+            StatementFault::WrongType { expected: "[m, n]", found: "a list of another length" },
+            value.span(),
+        )),
     }
 }
 
@@ -96,7 +102,12 @@ fn check_surface(surface: &Polynomial) -> Result<(), StatementFault> {
     }
     if degree > limits::SURFACE_DEGREE {
         let found = degree.to_string();
-        return Err(StatementFault::Range { what: "the degree of the surface", at_least: 1, at_most: limits::SURFACE_DEGREE, found });
+        return Err(StatementFault::Range {
+            what: "the degree of the surface",
+            at_least: 1,
+            at_most: limits::SURFACE_DEGREE,
+            found,
+        });
     }
     let mut degrees = surface.terms().map(|(monomial, _)| Monomial::degree(monomial));
     match degrees.find(|&other| other != degree) {
@@ -121,9 +132,9 @@ fn read_point<'a>(
         let plain = document.expression(entry, scope, work)?;
         match convention {
             Convention::Homogeneous => Ok(plain),
-            Convention::Cartesian => plain
-                .multiply(&weight, scope.field, work)
-                .map_err(|limit| (limit.into(), entry.span())),
+            Convention::Cartesian => {
+                plain.multiply(&weight, scope.field, work).map_err(|limit| (limit.into(), entry.span()))
+            }
         }
     };
     Ok([coordinate(x)?, coordinate(y)?, coordinate(z)?, weight])

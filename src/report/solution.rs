@@ -1,0 +1,48 @@
+//! A control net, or the solution of a system, exactly.
+
+use std::fmt::Write as _;
+
+use super::mathematics::Notation;
+use crate::checker::{Claim, Theorem};
+use crate::statement::{COORDINATES, Statement};
+
+/// The values of the unknowns and the net at them.
+pub(super) fn solution(statement: &Statement, theorem: &Theorem) -> String {
+    let notation = Notation::new(statement.ring());
+    let mut text = String::new();
+    let (values, net) = match theorem.claim() {
+        Claim::Exact { values, net, .. } => (values, Some(net)),
+        Claim::Solution { values } => (values, None),
+        _ => return text,
+    };
+    if !values.is_empty() {
+        let _ = writeln!(text, "The unknowns");
+        let width = statement.unknowns().iter().map(String::len).max().unwrap_or(0);
+        for (name, value) in statement.unknowns().iter().zip(values) {
+            let _ = writeln!(text, "   {name:<width$} = {}", notation.polynomial(value));
+        }
+        text.push('\n');
+    }
+    let Some(net) = net else { return text };
+    let _ = writeln!(text, "The control net, premultiplied (X, Y, Z, W) = (wx, wy, wz, w)");
+    let cells = net
+        .iter()
+        .map(|row| row.iter().map(|point| point.each_ref().map(|entry| notation.polynomial(entry))));
+    let cells: Vec<Vec<[String; 4]>> = cells.map(Iterator::collect).collect();
+    let widths: [usize; 4] = std::array::from_fn(|k| {
+        let entries = cells.iter().flatten().map(|point| point[k].chars().count());
+        entries.max().unwrap_or(0).max(COORDINATES[k].len())
+    });
+    let header: Vec<String> =
+        COORDINATES.iter().zip(widths).map(|(name, width)| format!("{name:>width$}")).collect();
+    let _ = writeln!(text, "    i  j   {}", header.join("   "));
+    for (i, row) in cells.iter().enumerate() {
+        for (j, point) in row.iter().enumerate() {
+            let padded: Vec<String> =
+                point.iter().zip(widths).map(|(entry, width)| format!("{entry:>width$}")).collect();
+            let _ = writeln!(text, "   {i:>2} {j:>2}   {}", padded.join("   "));
+        }
+    }
+    text.push('\n');
+    text
+}

@@ -1,0 +1,13 @@
+//! The command line, word for word: `tests/cmd/session.trycmd` and the commands of the README.
+//!
+//! `TRYCMD=overwrite cargo test --test cli` writes the outputs anew; read them before you commit them.
+#![cfg(feature = "prover")]
+
+#[test]
+fn commands_print_what_is_on_file() {
+    let cases = trycmd::TestCases::new();
+    cases.case("tests/cmd/*.trycmd");
+    if std::path::Path::new("README.md").exists() {
+        cases.case("README.md");
+    }
+}

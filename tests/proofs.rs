@@ -1,0 +1,210 @@
+//! The committed proofs: complete, reproducible to the byte, and refused after the smallest change.
+#![cfg(feature = "prover")]
+
+use std::fs;
+use std::path::Path;
+
+use proptest::prelude::*;
+use prove_cap::catalogue::{self, ENTRIES};
+use prove_cap::certificate::{Argument, Certificate, Premise};
+use prove_cap::checker::{CheckError, Claim, check, check_read};
+use prove_cap::elimination::Control;
+use prove_cap::exact::Polynomial;
+use prove_cap::prove::{Attempt, prove};
+use prove_cap::statement::Statement;
+
+fn committed(name: &str, file: &str) -> String {
+    let path = Path::new("proofs").join(name).join(file);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn read(name: &str) -> (Statement, Certificate, String) {
+    let statement = Statement::read(&committed(name, "statement.toml")).unwrap();
+    let text = committed(name, "certificate.txt");
+    let certificate =
+        Certificate::read(text.as_bytes(), &statement.ring(), statement.unknowns().len()).unwrap();
+    (statement, certificate, text)
+}
+
+#[test]
+fn every_built_in_statement_has_its_committed_proof() {
+    for entry in ENTRIES {
+        let text = entry.statement();
+        assert_eq!(text, committed(entry.name, "statement.toml"), "{}: run prove-cap prove {0}", entry.name);
+        let statement = Statement::read(&text).unwrap();
+        for _ in 0..3 {
+            let attempt = prove(&statement, &Control::default()).unwrap();
+            let Attempt::Proved { certificate, theorem } = attempt else {
+                panic!("{} is undecided", entry.name)
+            };
+            let written = certificate.write(&statement.ring());
+            assert_eq!(written, committed(entry.name, "certificate.txt"), "{}", entry.name);
+            assert_eq!(matches!(theorem.claim(), Claim::Impossible { .. }), entry.is_cap(), "{}", entry.name);
+        }
+        let theorem = check(text.as_bytes(), committed(entry.name, "certificate.txt").as_bytes()).unwrap();
+        assert!(theorem.sentence().contains(&statement.field().to_string()) || !entry.is_cap());
+    }
+}
+
+#[test]
+fn a_proof_is_refused_for_every_other_statement() {
+    for entry in ENTRIES {
+        for other in ENTRIES.iter().filter(|other| other.name != entry.name) {
+            let (statement, certificate) = (other.statement(), committed(entry.name, "certificate.txt"));
+            let result = check(statement.as_bytes(), certificate.as_bytes());
+            assert!(
+                matches!(result, Err(CheckError::Rejected(_) | CheckError::Certificate(_))),
+                "{} for {}: {result:?}",
+                entry.name,
+                other.name
+            );
+        }
+    }
+}
+
+/// Even with the right hash written into it, a refutation does not carry over to a statement that has a solution.
+#[test]
+fn a_forged_hash_helps_nothing() {
+    let (_, certificate, _) = read("cap-2x2-centre");
+    let consistent = Statement::read(&committed("octant", "statement.toml")).unwrap();
+    let forged = Certificate { statement: consistent.hash(), ..certificate };
+    assert!(matches!(check_read(&consistent, &forged), Err(CheckError::Rejected(_))));
+}
+
+/// Each text that differs from a certificate in one byte (replaced, inserted or left out), for all printable bytes.
+fn one_character_mutants_are_refused(name: &str) {
+    let (statement, _, text) = read(name);
+    let (ring, unknowns) = (statement.ring(), statement.unknowns().len());
+    let bytes = text.as_bytes();
+    let refused = |mutant: &[u8]| match Certificate::read(mutant, &ring, unknowns) {
+        Err(_) => true,
+        Ok(certificate) => check_read(&statement, &certificate).is_err(),
+    };
+    let alphabet: Vec<u8> = (b' '..=b'~').chain([b'\n', b'\r', b'\t', 0, 0xC3]).collect();
+    let mut tried = 0u64;
+    for at in 0..=bytes.len() {
+        let (before, after) = bytes.split_at(at);
+        for &byte in &alphabet {
+            let inserted = [before, &[byte], after].concat();
+            assert!(refused(&inserted), "{name}: {byte:?} inserted at {at}");
+            if after.first().is_some_and(|&old| old != byte) {
+                let replaced = [before, &[byte], &after[1..]].concat();
+                assert!(refused(&replaced), "{name}: {byte:?} put at {at}");
+            }
+            tried += 2;
+        }
+        if !after.is_empty() {
+            assert!(refused(&[before, &after[1..]].concat()), "{name}: byte {at} left out");
+            assert!(refused(before), "{name}: cut at {at}");
+        }
+    }
+    println!("{name}: {tried} mutants refused");
+}
+
+#[test]
+fn one_character_mutants_of_the_papers_proof_are_refused() {
+    one_character_mutants_are_refused("cap-2x2");
+    one_character_mutants_are_refused("stereographic");
+}
+
+#[test]
+#[ignore = "two million mutants take minutes"]
+fn one_character_mutants_of_every_proof_are_refused() {
+    for entry in ENTRIES.iter().filter(|entry| committed(entry.name, "certificate.txt").len() <= 20_000) {
+        one_character_mutants_are_refused(entry.name);
+    }
+}
+
+/// A structural change: a multiplier, a premise, a conclusion, the order or the number of steps.
+fn changed(certificate: &Certificate, kind: u8, step: usize, place: usize, by: i32) -> Certificate {
+    let mut changed = certificate.clone();
+    let Argument::Impossible(steps) = &mut changed.argument else { panic!("a refutation") };
+    let step = step % steps.len();
+    let nudge = |polynomial: &Polynomial, by: i32| {
+        let mut work = prove_cap::exact::Work::full();
+        polynomial.add(&Polynomial::integer(by), &mut work).unwrap()
+    };
+    let length = steps[step].combination.len();
+    match kind {
+        0 => {
+            let multiplier = &mut steps[step].combination[place % length].1;
+            *multiplier = nudge(multiplier, by);
+        }
+        1 => steps[step].conclusion = nudge(&steps[step].conclusion, by),
+        2 => drop(steps[step].combination.remove(place % length)),
+        3 => {
+            steps[step].combination[place % length].0 =
+                Premise::Coefficient(place as u32 % 9, by.unsigned_abs() % 9)
+        }
+        4 => steps[step].combination[place % length].0 = Premise::Step(by.unsigned_abs() % 6),
+        5 => drop(steps.remove(step)),
+        6 => {
+            let other = place % steps.len();
+            steps.swap(step, other);
+        }
+        _ => {
+            let copy = steps[step].clone();
+            steps.insert(step, copy);
+        }
+    }
+    changed
+}
+
+fn structural_mutants_are_refused(name: &str, kind: u8, step: usize, place: usize, by: i32) {
+    let (statement, certificate, _) = read(name);
+    let mutant = changed(&certificate, kind, step, place, by);
+    if mutant != certificate {
+        assert!(
+            check_read(&statement, &mutant).is_err(),
+            "{name}: kind {kind}, step {step}, place {place}, by {by}"
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+    #[test]
+    fn structural_mutants_of_the_caps_are_refused(
+        which in 0usize..6, kind in 0u8..8, step in 0usize..40, place in 0usize..40,
+        by in prop_oneof![-9i32..0, 1i32..10],
+    ) {
+        let caps: Vec<_> = ENTRIES.iter().filter(|entry| entry.is_cap()).collect();
+        structural_mutants_are_refused(caps[which % caps.len()].name, kind, step, place, by);
+    }
+}
+
+#[test]
+fn an_exact_claim_with_a_changed_value_is_refused() {
+    for name in ["octant", "stereographic"] {
+        let (statement, certificate, _) = read(name);
+        let Argument::Exact(values) = &certificate.argument else { panic!("a net") };
+        for k in 0..values.len() {
+            let mut values = values.clone();
+            values[k] =
+                values[k].negate().add(&Polynomial::integer(1), &mut prove_cap::exact::Work::full()).unwrap();
+            if &values
+                != match &certificate.argument {
+                    Argument::Exact(v) => v,
+                    _ => unreachable!(),
+                }
+            {
+                let forged = Certificate {
+                    statement: certificate.statement.clone(),
+                    argument: Argument::Exact(values),
+                };
+                assert!(
+                    matches!(check_read(&statement, &forged), Err(CheckError::Rejected(_))),
+                    "{name}, value {k}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn names_are_unique_and_found() {
+    for entry in ENTRIES {
+        assert_eq!(catalogue::find(entry.name).unwrap().summary, entry.summary);
+    }
+    assert!(catalogue::find("cap-1x1").is_none());
+}

@@ -1,0 +1,97 @@
+//! One file for each way to be wrong, and the exact complaint about it.
+//!
+//! `tests/reject/statement/VARIANT-detail.toml` must be refused with that variant, `tests/reject/certificate/` likewise
+//! (held against `statement.toml` there, or against a file of its own name). The complaint in full stands beside each
+//! file in `.expected`; `PROVE_CAP_UPDATE=1 cargo test` writes it anew. A variant without a file fails the suite.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use prove_cap::checker::{CheckError, check};
+use prove_cap::statement::Statement;
+
+fn corpus(folder: &str, extension: &str) -> Vec<PathBuf> {
+    let entries =
+        fs::read_dir(Path::new("tests/reject").join(folder)).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<PathBuf> =
+        entries.filter(|path| path.extension().is_some_and(|e| e == extension)).collect();
+    files.sort();
+    assert!(files.len() > 20, "the corpus in {folder} is found");
+    files
+}
+
+/// The variant that a file's name promises.
+fn promised(file: &Path) -> String {
+    let stem = file.file_stem().unwrap().to_str().unwrap();
+    stem.split('-').next().unwrap().to_owned()
+}
+
+fn variant(debug: &str) -> String {
+    debug.chars().take_while(char::is_ascii_alphanumeric).collect()
+}
+
+/// Compares a complaint with the one on file.
+fn compare(file: &Path, complaint: &str) {
+    let expected = file.with_extension("expected");
+    if std::env::var_os("PROVE_CAP_UPDATE").is_some() {
+        fs::write(&expected, format!("{complaint}\n")).unwrap();
+    }
+    let text = fs::read_to_string(&expected).unwrap_or_else(|_| panic!("{} is missing", expected.display()));
+    assert_eq!(format!("{complaint}\n"), text, "{}", file.display());
+}
+
+/// The variants of an error enum, read from its source.
+fn variants(source: &str, name: &str) -> BTreeSet<String> {
+    let text = fs::read_to_string(source).unwrap();
+    let body = text.split(&format!("pub enum {name} {{")).nth(1).unwrap().split("\n}").next().unwrap();
+    let lines = body.lines().filter_map(|line| line.strip_prefix("    "));
+    lines.filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase())).map(variant).collect()
+}
+
+#[test]
+fn wrong_statements_are_refused_with_the_exact_complaint() {
+    let mut seen = BTreeSet::new();
+    for file in corpus("statement", "toml") {
+        let error = Statement::read_bytes(&fs::read(&file).unwrap()).expect_err(&file.display().to_string());
+        assert_eq!(variant(&format!("{:?}", error.fault)), promised(&file), "{}: {error}", file.display());
+        compare(&file, &error.to_string());
+        seen.insert(promised(&file));
+    }
+    assert_eq!(
+        seen,
+        variants("src/statement/error.rs", "StatementFault"),
+        "one file at least for each variant"
+    );
+}
+
+#[test]
+fn wrong_certificates_are_refused_with_the_exact_complaint() {
+    let mut seen = BTreeSet::new();
+    for file in corpus("certificate", "txt") {
+        let own = file.with_extension("toml");
+        let statement = if own.exists() { own } else { file.with_file_name("statement.toml") };
+        let result = check(&fs::read(statement).unwrap(), &fs::read(&file).unwrap());
+        let error = result.expect_err(&file.display().to_string());
+        let inner = match &error {
+            CheckError::Certificate(error) => format!("{:?}", error.fault),
+            CheckError::Rejected(rejection) => format!("{rejection:?}"),
+            other => panic!("{}: {other:?}", file.display()),
+        };
+        assert_eq!(variant(&inner), promised(&file), "{}: {error}", file.display());
+        compare(&file, &error.to_string());
+        seen.insert(promised(&file));
+    }
+    let mut all = variants("src/certificate/error.rs", "CertificateFault");
+    all.append(&mut variants("src/checker/error.rs", "Rejection"));
+    // The reader's last resort: no file is known that gets that far.
+    all.remove("NotCanonical");
+    assert_eq!(seen, all, "one file at least for each variant");
+}
+
+#[test]
+fn the_corpus_is_wrong_in_one_way_only() {
+    let statement = fs::read("tests/reject/certificate/statement.toml").unwrap();
+    let good = fs::read("tests/accept/two_steps.txt").unwrap();
+    check(&statement, &good).expect("the certificate that most of them are made from is right");
+}
