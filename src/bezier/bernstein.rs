@@ -4,7 +4,7 @@ use itertools::iproduct;
 
 use crate::algebra::{FieldElement, Integer, Monomial, MultiquadraticField, Polynomial};
 
-/// Σ c[r,s] uʳ(1−u)^(m−r) vˢ(1−v)^(n−s), r = 0..m, s = 0..n, with polynomials in the unknowns for c[r,s].
+/// Σ `c[r,s]` uʳ(1−u)^(m−r) vˢ(1−v)^(n−s), r = 0..m, s = 0..n, with polynomials in the unknowns for `c[r,s]`.
 ///
 /// *Scaled* means that the binomial coefficients are part of c (Farouki & Rajan 1988,
 /// doi:10.1016/0167-8396(88)90016-7, section 2.2); products are then plain convolutions.
@@ -12,12 +12,12 @@ use crate::algebra::{FieldElement, Integer, Monomial, MultiquadraticField, Polyn
 pub struct BernsteinForm {
     field: MultiquadraticField,
     bidegree: (u32, u32),
-    /// Row by row: c[r,s] is at r·(n+1) + s.
+    /// Row by row: `c[r,s]` is at r·(n+1) + s.
     scaled: Vec<Polynomial>,
 }
 
 impl BernsteinForm {
-    /// From the Bernstein coefficients b[i,j] (without binomials), m + 1 rows of n + 1.
+    /// From the Bernstein coefficients `b[i,j]` (without binomials), m + 1 rows of n + 1.
     pub fn from_bernstein(
         field: MultiquadraticField,
         bidegree: (u32, u32),
@@ -43,12 +43,12 @@ impl BernsteinForm {
         self.bidegree
     }
 
-    /// c[r,s]; r ≤ m and s ≤ n.
+    /// `c[r,s]`; r ≤ m and s ≤ n.
     pub fn coefficient(&self, r: u32, s: u32) -> &Polynomial {
         &self.scaled[self.index(r, s)]
     }
 
-    /// All (r, s, c[r,s]), row by row.
+    /// All (r, s, `c[r,s]`), row by row.
     pub fn coefficients(&self) -> impl Iterator<Item = (u32, u32, &Polynomial)> {
         iproduct!(0..=self.bidegree.0, 0..=self.bidegree.1).zip(&self.scaled).map(|((r, s), c)| (r, s, c))
     }
@@ -57,7 +57,7 @@ impl BernsteinForm {
         (r * (self.bidegree.1 + 1) + s) as usize
     }
 
-    /// The product: c[r,s] = Σ a[i,j]·b[r−i,s−j].
+    /// The product: `c[r,s]` = Σ `a[i,j]`·`b[r−i,s−j]`.
     pub fn multiply(&self, other: &Self) -> Self {
         let bidegree = (self.bidegree.0 + other.bidegree.0, self.bidegree.1 + other.bidegree.1);
         let mut product = BernsteinForm { field: self.field, bidegree, scaled: Vec::new() };
@@ -79,7 +79,7 @@ impl BernsteinForm {
         BernsteinForm { field: self.field, bidegree: self.bidegree, scaled }
     }
 
-    /// The coefficients a[k,l] of uᵏvˡ, as (k, l, a[k,l]), row by row.
+    /// The coefficients `a[k,l]` of uᵏvˡ, as (k, l, `a[k,l]`), row by row.
     ///
     /// uʳ(1−u)^(m−r) = Σ (−1)^(k−r) C(m−r, k−r) uᵏ, and likewise in v.
     pub fn to_monomial_basis(&self) -> Vec<(u32, u32, Polynomial)> {

@@ -7,7 +7,7 @@ use crate::statement::Patch;
 /// The condition that a patch of bidegree (m,n) lies on its surface of degree e: a form of bidegree (em,en),
 /// all of whose coefficients must vanish.
 ///
-/// For the sphere, c[r,s] = Σ C(m,i)C(n,j)C(m,r−i)C(n,s−j)⟨H_ij, H_(r−i,s−j)⟩ with ⟨A,B⟩ = AxBx + AyBy + AzBz − AwBw.
+/// For the sphere, `c[r,s]` = Σ C(m,i)C(n,j)C(m,r−i)C(n,s−j)⟨H_ij, H_(r−i,s−j)⟩ with ⟨A,B⟩ = AxBx + AyBy + AzBz − AwBw.
 pub fn surface_condition(field: MultiquadraticField, patch: &Patch) -> BernsteinForm {
     let coordinates: [BernsteinForm; 4] = std::array::from_fn(|k| {
         let entry = |i: usize, j: usize| polynomial_from_exact(field, &patch.net[i][j][k]);

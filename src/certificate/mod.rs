@@ -57,11 +57,11 @@ pub struct Step {
 /// What a step may use: an equation of the statement or an earlier step. The order is that of spelling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Premise {
-    /// c[r,s]: the coefficient of uʳ(1−u)^(em−r)·vˢ(1−v)^(en−s) of the surface equation of degree e.
+    /// `c[r,s]`: the coefficient of uʳ(1−u)^(em−r)·vˢ(1−v)^(en−s) of the surface equation of degree e.
     Coefficient(u32, u32),
-    /// f[k]: the k-th polynomial of a system, from 1.
+    /// `f[k]`: the k-th polynomial of a system, from 1.
     Equation(u32),
-    /// nonzero[k]: the k-th assumption d, from 1, as the polynomial d·t[k] − 1 (Rabinowitsch).
+    /// `nonzero[k]`: the k-th assumption d, from 1, as the polynomial d·`t[k]` − 1 (Rabinowitsch).
     Nonzero(u32),
     /// The conclusion of an earlier step, from 1.
     Step(u32),

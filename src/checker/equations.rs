@@ -3,8 +3,8 @@
 //! For a patch: put u = t/(1+t), v = s/(1+s) into the Bernstein polynomials and multiply by (1+t)^m (1+s)^n.
 //! What is left of X is X̂(t,s) = Σ C(m,i) C(n,j) X_ij tⁱ sʲ, and of F(X,Y,Z,W), of degree e, a polynomial of
 //! degree (em, en) in t and s. Undoing the substitution turns tʳ sˢ into uʳ(1−u)^(em−r) · vˢ(1−v)^(en−s), so
-//! c[r,s] is its coefficient. These products are linearly independent: F vanishes on the patch, as a
-//! polynomial, iff every c[r,s] is zero.
+//! `c[r,s]` is its coefficient. These products are linearly independent: F vanishes on the patch, as a
+//! polynomial, iff every `c[r,s]` is zero.
 
 use std::collections::BTreeMap;
 
@@ -52,7 +52,7 @@ impl Equations {
     }
 }
 
-/// d·t[k] − 1, which has a zero in t[k] exactly where d ≠ 0.
+/// d·`t[k]` − 1, which has a zero in `t[k]` exactly where d ≠ 0.
 fn rabinowitsch(
     statement: &Statement,
     number: u32,

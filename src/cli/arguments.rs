@@ -88,9 +88,9 @@ pub(super) enum Format {
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum BasisName {
-    /// c[r,s], coefficients of uʳ(1−u)^(M−r)·vˢ(1−v)^(N−s).
+    /// `c[r,s]`, coefficients of uʳ(1−u)^(M−r)·vˢ(1−v)^(N−s).
     Bernstein,
-    /// a[i,j], coefficients of uⁱvʲ; the paper's a1, …, a16 where they apply.
+    /// `a[i,j]`, coefficients of uⁱvʲ; the paper's a1, …, a16 where they apply.
     Monomial,
 }
 

@@ -29,8 +29,8 @@ pub struct GreatCircleArc {
 pub struct CubeFace {
     /// a, the side of the cube (1).
     pub side: FieldElement,
-    /// `corners[i][j]`: i along u (y increasing), j along v (x increasing), so that A = corners[0][0] and
-    /// B = corners[0][1] as in (3).
+    /// `corners[i][j]`: i along u (y increasing), j along v (x increasing), so that A = `corners[0][0]` and
+    /// B = `corners[0][1]` as in (3).
     pub corners: [[Vector; 2]; 2],
 }
 

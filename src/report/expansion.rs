@@ -11,9 +11,9 @@ use crate::statement::{Statement, Subject};
 /// In which basis F is expanded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Basis {
-    /// uʳ(1−u)^(M−r)·vˢ(1−v)^(N−s): the coefficients c[r,s] of certificates.
+    /// uʳ(1−u)^(M−r)·vˢ(1−v)^(N−s): the coefficients `c[r,s]` of certificates.
     Bernstein,
-    /// uⁱvʲ: the coefficients a[i,j]; a1, …, a16 of the paper (Eq. 10, 11) are those with i, j = 1, …, 4, row by row.
+    /// uⁱvʲ: the coefficients `a[i,j]`; a1, …, a16 of the paper (Eq. 10, 11) are those with i, j = 1, …, 4, row by row.
     Monomial,
 }
 

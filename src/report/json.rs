@@ -23,7 +23,7 @@ pub struct StatementData {
     bidegree: Option<(u32, u32)>,
     #[serde(skip_serializing_if = "Option::is_none")]
     surface: Option<String>,
-    /// Homogeneous points, premultiplied: net[i][j] = [X, Y, Z, W].
+    /// Homogeneous points, premultiplied: `net[i]`[j] = [X, Y, Z, W].
     #[serde(skip_serializing_if = "Option::is_none")]
     net: Option<Vec<Vec<[String; 4]>>>,
     #[serde(skip_serializing_if = "Option::is_none")]

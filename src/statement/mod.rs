@@ -47,7 +47,7 @@ pub struct Statement {
 /// Where the equations come from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Subject {
-    /// The patch lies on the surface: every coefficient c[r,s] vanishes.
+    /// The patch lies on the surface: every coefficient `c[r,s]` vanishes.
     Patch(Patch),
     /// Every listed polynomial vanishes.
     System(Vec<Polynomial>),
@@ -90,7 +90,7 @@ impl Statement {
         &self.subject
     }
 
-    /// The unknowns followed by the Rabinowitsch variables t[1], t[2], …, one for each assumption.
+    /// The unknowns followed by the Rabinowitsch variables `t[1]`, `t[2]`, …, one for each assumption.
     pub fn ring(&self) -> Ring {
         let rabinowitsch = (1..=self.nonzero.len()).map(|number| format!("t[{number}]"));
         Ring {

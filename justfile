@@ -1,0 +1,48 @@
+# Recipes for people and for .ci/run. `just` lists them.
+
+default:
+    @just --list
+
+# The tests, as the README has them.
+test:
+    cargo test
+
+# Formatting, lints, documentation.
+lint:
+    cargo fmt --check
+    cargo clippy --all-targets -- -D warnings
+    cargo clippy --all-targets --no-default-features -- -D warnings
+    RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --quiet
+
+# The checker-only build replays every committed proof.
+replay:
+    cargo build --release --no-default-features --target-dir target/checker
+    scripts/replay target/checker/release/prove-cap
+
+# Long tests.
+long:
+    cargo test --release -- --ignored
+
+# The examples run.
+examples:
+    cargo run --quiet --example expand_a_patch
+    cargo run --quiet --example prove_a_statement
+    cargo run --quiet --example check_a_certificate
+    cargo run --quiet --example check_a_certificate --no-default-features
+
+# The prover with GMP gives the same proofs (needs libgmp-dev and libmpfr-dev).
+gmp:
+    cargo test --features gmp
+
+# Everything that must be green before a change is handed in.
+check: lint test replay examples
+
+# Benchmarks of the library.
+bench:
+    cargo bench
+
+# Whole processes side by side with Singular and SymPy, where they are installed.
+bench-peers:
+    cargo build --release
+    cargo build --release --features gmp --target-dir target/gmp
+    benches/peers/run num=target/release/prove-cap gmp=target/gmp/release/prove-cap

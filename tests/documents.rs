@@ -1,0 +1,88 @@
+//! What the documents say of the code is so.
+
+use std::fs;
+
+use prove_cap::exact::limits;
+
+fn lines_of(folder: &str) -> (usize, usize) {
+    let files = fs::read_dir(folder).unwrap().map(|entry| fs::read_to_string(entry.unwrap().path()).unwrap());
+    let text = files.collect::<String>();
+    let is_code = |line: &&str| !line.trim().is_empty() && !line.trim().starts_with("//");
+    (text.lines().count(), text.lines().filter(is_code).count())
+}
+
+/// The rows of the README's table of trusted lines. `PROVE_CAP_UPDATE=1` corrects them.
+#[test]
+fn the_readme_counts_the_trusted_lines() {
+    let readme = fs::read_to_string("README.md").unwrap();
+    let mut corrected = String::new();
+    for line in readme.lines() {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let folder =
+            cells.get(1).and_then(|cell| cell.strip_prefix("`src/")).and_then(|cell| cell.strip_suffix('`'));
+        match folder {
+            Some(folder) => {
+                let (all, code) = lines_of(&format!("src/{folder}"));
+                corrected += &format!("| `src/{folder}` | {} | {all} | {code} |\n", cells[2]);
+            }
+            None => corrected += &format!("{line}\n"),
+        }
+    }
+    if std::env::var_os("PROVE_CAP_UPDATE").is_some() {
+        fs::write("README.md", &corrected).unwrap();
+    }
+    assert_eq!(
+        fs::read_to_string("README.md").unwrap(),
+        corrected,
+        "PROVE_CAP_UPDATE=1 cargo test --test documents"
+    );
+    assert!(lines_of("src/checker").0 < 1000, "the checker stays under a thousand lines");
+}
+
+#[test]
+fn the_format_page_states_the_limits_in_force() {
+    let page = fs::read_to_string("proofs/FORMAT.md").unwrap();
+    let rows: [(&str, u64); 17] = [
+        ("bytes of a statement file", limits::STATEMENT_BYTES),
+        ("bytes of a certificate file", limits::CERTIFICATE_BYTES),
+        ("bytes of a line of a certificate", limits::LINE_BYTES as u64),
+        ("steps", limits::STEPS as u64),
+        ("decimal digits of an integer", limits::DIGITS as u64),
+        ("terms of a polynomial", limits::TERMS as u64),
+        ("total degree of a power product, and any exponent", limits::DEGREE.into()),
+        ("unknowns", limits::UNKNOWNS as u64),
+        ("assumptions", limits::ASSUMPTIONS as u64),
+        ("polynomials of a system", limits::EQUATIONS as u64),
+        ("m and n", limits::BIDEGREE.into()),
+        ("degree of the surface", limits::SURFACE_DEGREE.into()),
+        ("nested brackets", limits::NESTING as u64),
+        ("radicands", limits::RADICANDS as u64),
+        ("value of a radicand", limits::RADICAND.into()),
+        ("characters of a name", limits::NAME as u64),
+        ("characters of a title", limits::TITLE as u64),
+    ];
+    for (what, limit) in rows {
+        assert!(page.contains(&format!("| {what} | {limit} |")), "{what}: {limit}");
+    }
+    assert_eq!(limits::WORK, 4_000_000_000, "the page says 4·10⁹");
+}
+
+#[test]
+fn the_format_page_shows_the_committed_proof() {
+    let page = fs::read_to_string("proofs/FORMAT.md").unwrap();
+    let certificate = fs::read_to_string("proofs/cap-2x2/certificate.txt").unwrap();
+    assert!(page.contains(&certificate));
+    let statement = fs::read_to_string("proofs/cap-2x2/statement.toml").unwrap();
+    let statement = prove_cap::statement::Statement::read(&statement).unwrap();
+    assert!(page.contains(&statement.canonical()));
+}
+
+#[test]
+fn nothing_speaks_of_absolute_paths() {
+    for file in ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "proofs/FORMAT.md", "justfile"] {
+        let text = fs::read_to_string(file).unwrap();
+        for root in ["/home/", "/root/", "/tmp/", "/work/"] {
+            assert!(!text.contains(root), "{file} names {root}");
+        }
+    }
+}
