@@ -148,7 +148,8 @@ pub fn flattened(
             for (equation, cofactor) in of_premise {
                 let product = cofactor.multiply(multiplier, statement.field(), &mut work).ok()?;
                 let entry = sum.entry(equation).or_default();
-                *entry = entry.add(&product, &mut work).ok()?;
+                *entry =
+                    exact::Polynomial::sum(&[entry.clone(), product], statement.field(), &mut work).ok()?;
                 if entry.term_count() > at_most {
                     return None;
                 }

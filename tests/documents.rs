@@ -42,13 +42,16 @@ fn the_readme_counts_the_trusted_lines() {
 #[test]
 fn the_format_page_states_the_limits_in_force() {
     let page = fs::read_to_string("proofs/FORMAT.md").unwrap();
-    let rows: [(&str, u64); 17] = [
+    let rows = [
         ("bytes of a statement file", limits::STATEMENT_BYTES),
         ("bytes of a certificate file", limits::CERTIFICATE_BYTES),
         ("bytes of a line of a certificate", limits::LINE_BYTES as u64),
         ("steps", limits::STEPS as u64),
         ("decimal digits of an integer", limits::DIGITS as u64),
         ("terms of a polynomial", limits::TERMS as u64),
+        ("powers of variables in all terms of a polynomial", limits::POWERS as u64),
+        ("bits of a number on the way to a result (a common denominator, a product)", limits::BITS),
+        ("bits of all numbers of a statement", limits::STATEMENT_BITS),
         ("total degree of a power product, and any exponent", limits::DEGREE.into()),
         ("unknowns", limits::UNKNOWNS as u64),
         ("assumptions", limits::ASSUMPTIONS as u64),

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use prove_cap::certificate::CertificateFault;
 use prove_cap::checker::{CheckError, check};
-use prove_cap::exact::limits;
+use prove_cap::exact::{Work, limits};
 use prove_cap::statement::{Statement, StatementError, StatementFault};
 
 /// Generous, for slow machines: what is meant is "does not hang".
@@ -64,8 +64,9 @@ fn denominators_without_common_factors() {
 
 #[test]
 fn toml_that_nests_or_never_ends() {
-    let errors =
-        |text: String| in_time(|| Statement::read_bytes(text.as_bytes())).expect_err("not a statement");
+    let errors = |text: String| {
+        in_time(|| Statement::read_bytes(text.as_bytes(), &mut Work::full())).expect_err("not a statement")
+    };
     assert!(matches!(errors(format!("net = {}", "[".repeat(100_000))).fault, StatementFault::Toml(_)));
     assert!(matches!(errors(format!("net = {}", "{a=".repeat(100_000))).fault, StatementFault::Toml(_)));
     assert!(matches!(errors(vec!["a"; 100_000].join(".") + " = 1").fault, StatementFault::Toml(_)));
@@ -82,7 +83,7 @@ fn statement() -> Vec<u8> {
 
 /// A certificate for that statement with these lines between the claim and the end.
 fn certificate(lines: &str) -> String {
-    let hash = Statement::read_bytes(&statement()).unwrap().hash();
+    let hash = Statement::read_bytes(&statement(), &mut Work::full()).unwrap().hash();
     format!("prove-cap certificate 1\nstatement sha256 {hash}\nclaim impossible\n{lines}")
 }
 
@@ -141,5 +142,5 @@ fn a_product_of_two_long_polynomials_is_counted_before_it_is_made() {
         "step 1\nadd f[1] times {long}\nconclude {long}\nstep 2\nadd step 1 times {long}\nconclude 1\nend 2\n"
     );
     let error = complaint(certificate(&lines).as_bytes());
-    assert!(matches!(error, CheckError::Rejected(_) | CheckError::Limit(_)), "{error:?}");
+    assert!(matches!(error, CheckError::Rejected(_) | CheckError::Replay { .. }), "{error:?}");
 }

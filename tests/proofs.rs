@@ -9,7 +9,7 @@ use prove_cap::catalogue::{self, ENTRIES};
 use prove_cap::certificate::{Argument, Certificate, Premise};
 use prove_cap::checker::{CheckError, Claim, check, check_read};
 use prove_cap::elimination::Control;
-use prove_cap::exact::Polynomial;
+use prove_cap::exact::{Polynomial, Radicands, Work};
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;
 
@@ -22,7 +22,8 @@ fn read(name: &str) -> (Statement, Certificate, String) {
     let statement = Statement::read(&committed(name, "statement.toml")).unwrap();
     let text = committed(name, "certificate.txt");
     let certificate =
-        Certificate::read(text.as_bytes(), &statement.ring(), statement.unknowns().len()).unwrap();
+        Certificate::read(text.as_bytes(), &statement.ring(), statement.unknowns().len(), &mut Work::full())
+            .unwrap();
     (statement, certificate, text)
 }
 
@@ -76,7 +77,7 @@ fn one_character_mutants_are_refused(name: &str) {
     let (statement, _, text) = read(name);
     let (ring, unknowns) = (statement.ring(), statement.unknowns().len());
     let bytes = text.as_bytes();
-    let refused = |mutant: &[u8]| match Certificate::read(mutant, &ring, unknowns) {
+    let refused = |mutant: &[u8]| match Certificate::read(mutant, &ring, unknowns, &mut Work::full()) {
         Err(_) => true,
         Ok(certificate) => check_read(&statement, &certificate).is_err(),
     };
@@ -116,13 +117,13 @@ fn one_character_mutants_of_every_proof_are_refused() {
 }
 
 /// A structural change: a multiplier, a premise, a conclusion, the order or the number of steps.
-fn changed(certificate: &Certificate, kind: u8, step: usize, place: usize, by: i32) -> Certificate {
+fn changed(field: &Radicands, certificate: &Certificate, kind: u8, step: usize, place: usize, by: i32) -> Certificate {
     let mut changed = certificate.clone();
     let Argument::Impossible(steps) = &mut changed.argument else { panic!("a refutation") };
     let step = step % steps.len();
     let nudge = |polynomial: &Polynomial, by: i32| {
-        let mut work = prove_cap::exact::Work::full();
-        polynomial.add(&Polynomial::integer(by), &mut work).unwrap()
+        let summands = [polynomial.clone(), Polynomial::integer(by)];
+        Polynomial::sum(&summands, field, &mut Work::full()).unwrap()
     };
     let length = steps[step].combination.len();
     match kind {
@@ -152,7 +153,7 @@ fn changed(certificate: &Certificate, kind: u8, step: usize, place: usize, by: i
 
 fn structural_mutants_are_refused(name: &str, kind: u8, step: usize, place: usize, by: i32) {
     let (statement, certificate, _) = read(name);
-    let mutant = changed(&certificate, kind, step, place, by);
+    let mutant = changed(statement.field(), &certificate, kind, step, place, by);
     if mutant != certificate {
         assert!(
             check_read(&statement, &mutant).is_err(),
@@ -180,8 +181,8 @@ fn an_exact_claim_with_a_changed_value_is_refused() {
         let Argument::Exact(original) = &certificate.argument else { panic!("a net") };
         for k in 0..original.len() {
             let mut values = original.clone();
-            let one = Polynomial::integer(1);
-            values[k] = values[k].add(&one, &mut prove_cap::exact::Work::full()).unwrap();
+            let summands = [values[k].clone(), Polynomial::integer(1)];
+            values[k] = Polynomial::sum(&summands, statement.field(), &mut Work::full()).unwrap();
             let forged = Certificate { argument: Argument::Exact(values), ..certificate.clone() };
             let result = check_read(&statement, &forged);
             assert!(matches!(result, Err(CheckError::Rejected(_))), "{name}, value {k}: {result:?}");

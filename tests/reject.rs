@@ -9,6 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use prove_cap::checker::{CheckError, check};
+use prove_cap::exact::Work;
 use prove_cap::statement::Statement;
 
 fn corpus(folder: &str, extension: &str) -> Vec<PathBuf> {
@@ -53,7 +54,8 @@ fn variants(source: &str, name: &str) -> BTreeSet<String> {
 fn wrong_statements_are_refused_with_the_exact_complaint() {
     let mut seen = BTreeSet::new();
     for file in corpus("statement", "toml") {
-        let error = Statement::read_bytes(&fs::read(&file).unwrap()).expect_err(&file.display().to_string());
+        let error = Statement::read_bytes(&fs::read(&file).unwrap(), &mut Work::full())
+            .expect_err(&file.display().to_string());
         assert_eq!(variant(&format!("{:?}", error.fault)), promised(&file), "{}: {error}", file.display());
         compare(&file, &error.to_string());
         seen.insert(promised(&file));

@@ -14,9 +14,14 @@ impl Certificate {
     ///
     /// # Errors
     /// [`CertificateError`] with line and column.
-    pub fn read(bytes: &[u8], ring: &Ring, unknowns: usize) -> Result<Certificate, CertificateError> {
+    pub fn read(
+        bytes: &[u8],
+        ring: &Ring,
+        unknowns: usize,
+        work: &mut Work,
+    ) -> Result<Certificate, CertificateError> {
         let text = check_text(bytes)?;
-        let mut reader = Reader { ring, unknowns, lines: text.split('\n'), line: 0, work: Work::full() };
+        let mut reader = Reader { ring, unknowns, lines: text.split('\n'), line: 0, work };
         let certificate = reader.certificate()?;
         // Belt and braces: the grammar above is meant to leave no second spelling.
         if certificate.write(ring) != text {
@@ -50,15 +55,15 @@ fn check_text(bytes: &[u8]) -> Result<&str, CertificateError> {
     std::str::from_utf8(bytes).map_err(|_| error(lines(), 1, Fault::Character))
 }
 
-struct Reader<'a> {
+struct Reader<'a, 'w> {
     ring: &'a Ring,
     unknowns: usize,
     lines: Split<'a, char>,
     line: usize,
-    work: Work,
+    work: &'w mut Work,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> Reader<'a, '_> {
     fn fail(&self, column: usize, fault: Fault) -> CertificateError {
         CertificateError { line: self.line, column, fault }
     }
@@ -138,7 +143,11 @@ impl<'a> Reader<'a> {
     fn step(&mut self, number: u64) -> Result<Step, CertificateError> {
         let mut combination: Vec<(Premise, Polynomial)> = Vec::new();
         loop {
-            let expected = "`add … times …` or `conclude …`";
+            let expected = if combination.is_empty() {
+                "`add … times …`"
+            } else {
+                "`add … times …` or `conclude …`"
+            };
             let line = self.next(expected)?;
             if let Some(spelled) = line.strip_prefix("conclude ").filter(|_| !combination.is_empty()) {
                 let conclusion = self.polynomial(line, spelled)?;
@@ -146,7 +155,7 @@ impl<'a> Reader<'a> {
             }
             let parts = line.strip_prefix("add ").and_then(|rest| rest.split_once(" times "));
             let (name, spelled) = parts.ok_or_else(|| self.unexpected(line, expected))?;
-            let premise = self.premise(line, name)?;
+            let premise = self.premise(name)?;
             if let Premise::Step(step) = premise
                 && u64::from(step) >= number
             {
@@ -164,7 +173,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn premise(&self, line: &str, name: &str) -> Result<Premise, CertificateError> {
+    fn premise(&self, name: &str) -> Result<Premise, CertificateError> {
         let bracketed = |prefix: &str| name.strip_prefix(prefix)?.strip_suffix(']');
         if let Some((r, s)) = bracketed("c[").and_then(|pair| pair.split_once(',')) {
             return Ok(Premise::Coefficient(self.index(r)?, self.index(s)?));
@@ -177,7 +186,10 @@ impl<'a> Reader<'a> {
         }
         match name.strip_prefix("step ") {
             Some(k) => Ok(Premise::Step(self.index(k)?)),
-            None => Err(self.unexpected(line, "a premise c[r,s], f[k], nonzero[k] or step k")),
+            None => {
+                let expected = "a premise c[r,s], f[k], nonzero[k] or step k";
+                Err(self.fail(5, Fault::Line { expected, found: name.chars().take(60).collect() }))
+            }
         }
     }
 
@@ -216,10 +228,11 @@ impl<'a> Reader<'a> {
     }
 
     fn polynomial(&mut self, line: &str, spelled: &str) -> Result<Polynomial, CertificateError> {
-        self.ring.read(spelled, &mut self.work).map_err(|error| match error {
-            SpellingError::Limit(limit) => self.fail(column(line, spelled), limit.into()),
-            SpellingError::Expected { at, .. } => {
-                self.fail(column(line, spelled).saturating_add(at), Fault::Spelling(error))
+        self.ring.read(spelled, self.work).map_err(|error| {
+            let column = column(line, spelled).saturating_add(error.at());
+            match error {
+                SpellingError::Limit { limit, .. } => self.fail(column, limit.into()),
+                expected @ SpellingError::Expected { .. } => self.fail(column, Fault::Spelling(expected)),
             }
         })
     }

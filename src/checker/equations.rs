@@ -13,7 +13,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use crate::certificate::Premise;
-use crate::exact::{Limit, Monomial, Polynomial, Work};
+use crate::exact::{Limit, Monomial, Polynomial, Work, combination};
 use crate::statement::{Patch, Statement, Subject};
 
 /// The parameters t and s, beyond any unknown a statement can have.
@@ -63,7 +63,7 @@ fn rabinowitsch(
     let index = u32::try_from(statement.unknowns().len()).ok().and_then(|count| count.checked_add(number));
     let index = index.and_then(|index| u16::try_from(index.checked_sub(1)?).ok()).unwrap_or(T);
     let product = assumed.multiply(&Polynomial::variable(index), statement.field(), work)?;
-    product.add(&Polynomial::integer(-1), work)
+    Polynomial::sum(&[product, Polynomial::integer(-1)], statement.field(), work)
 }
 
 fn coefficients(
@@ -72,31 +72,34 @@ fn coefficients(
     work: &mut Work,
 ) -> Result<BTreeMap<Premise, Polynomial>, Limit> {
     let (m, n) = patch.bidegree;
-    let mut coordinates = vec![Polynomial::zero(); 4];
-    for (i, row) in (0u32..).zip(&patch.net) {
-        for (j, point) in (0u32..).zip(row) {
-            let binomials = BigRational::from_integer(binomial(m, i) * binomial(n, j));
-            let weight = Polynomial::term(binomials, parameters(i, j)?);
-            for (sum, entry) in coordinates.iter_mut().zip(point) {
-                let product = entry.multiply(&weight, statement.field(), work)?;
-                *sum = sum.add(&product, work)?;
-            }
-        }
+    let mut basis = Vec::new();
+    for (i, j) in indices(m, n) {
+        let binomials = BigRational::from_integer(binomial(m, i) * binomial(n, j));
+        basis.push(Polynomial::term(binomials, parameters(i, j)?));
+    }
+    let mut coordinates = Vec::with_capacity(4);
+    for k in 0..4usize {
+        let entries = patch.net.iter().flatten().filter_map(|point| point.get(k));
+        let pairs: Vec<(&Polynomial, &Polynomial)> = entries.zip(&basis).collect();
+        coordinates.push(combination(&pairs, statement.field(), work)?);
     }
     let expanded = patch.surface.substitute(&coordinates, statement.field(), work)?;
 
     let degree = patch.surface.degree();
     let (last_r, last_s) = (m.saturating_mul(degree), n.saturating_mul(degree));
     let mut collected: BTreeMap<Premise, Vec<(Monomial, BigRational)>> = BTreeMap::new();
-    for r in 0..=last_r {
-        collected.extend((0..=last_s).map(|s| (Premise::Coefficient(r, s), Vec::new())));
-    }
+    collected.extend(indices(last_r, last_s).map(|(r, s)| (Premise::Coefficient(r, s), Vec::new())));
     for (monomial, coefficient) in expanded.terms() {
         let (of_unknowns, of_parameters) = monomial.split(T);
         let name = Premise::Coefficient(of_parameters.exponent(T), of_parameters.exponent(S));
         collected.entry(name).or_default().push((of_unknowns, coefficient.clone()));
     }
     Ok(collected.into_iter().map(|(name, terms)| (name, Polynomial::from_terms(terms))).collect())
+}
+
+/// (0,0), (0,1), …, (m,n).
+fn indices(m: u32, n: u32) -> impl Iterator<Item = (u32, u32)> {
+    (0..=m).flat_map(move |i| (0..=n).map(move |j| (i, j)))
 }
 
 /// tⁱ sʲ.

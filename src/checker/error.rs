@@ -15,8 +15,10 @@ pub enum CheckError {
     Statement(StatementError),
     /// The certificate cannot be read.
     Certificate(CertificateError),
-    /// A limit was reached while replaying.
-    Limit(Limit),
+    /// A limit was reached while the equations of the statement were derived.
+    Equations(Limit),
+    /// A limit was reached in this step, or (step 0) while stated values were tried.
+    Replay { step: usize, limit: Limit },
     /// The certificate does not prove its claim.
     Rejected(Rejection),
 }
@@ -104,7 +106,9 @@ impl fmt::Display for CheckError {
         match self {
             CheckError::Statement(error) => error.fmt(f),
             CheckError::Certificate(error) => error.fmt(f),
-            CheckError::Limit(limit) => limit.fmt(f),
+            CheckError::Equations(limit) => write!(f, "deriving the equations: {limit}"),
+            CheckError::Replay { step: 0, limit } => write!(f, "trying the values: {limit}"),
+            CheckError::Replay { step, limit } => write!(f, "step {step}: {limit}"),
             CheckError::Rejected(rejection) => rejection.fmt(f),
         }
     }
@@ -121,12 +125,6 @@ impl From<StatementError> for CheckError {
 impl From<CertificateError> for CheckError {
     fn from(error: CertificateError) -> Self {
         CheckError::Certificate(error)
-    }
-}
-
-impl From<Limit> for CheckError {
-    fn from(limit: Limit) -> Self {
-        CheckError::Limit(limit)
     }
 }
 

@@ -37,22 +37,33 @@ use crate::statement::Statement;
 /// [`CheckError::Rejected`] where the certificate is well formed and does not prove its claim; the other
 /// variants where a file cannot be read or reaches a limit, which says nothing about the claim.
 pub fn check(statement: &[u8], certificate: &[u8]) -> Result<Theorem, CheckError> {
-    let statement = Statement::read_bytes(statement)?;
-    let certificate = Certificate::read(certificate, &statement.ring(), statement.unknowns().len())?;
-    check_read(&statement, &certificate)
+    // One allowance for everything that is done for these two files.
+    let mut work = Work::full();
+    let statement = Statement::read_bytes(statement, &mut work)?;
+    let certificate =
+        Certificate::read(certificate, &statement.ring(), statement.unknowns().len(), &mut work)?;
+    examine(&statement, &certificate, &mut work)
 }
 
 /// Checks a certificate against a statement, both read already.
 pub fn check_read(statement: &Statement, certificate: &Certificate) -> Result<Theorem, CheckError> {
+    examine(statement, certificate, &mut Work::full())
+}
+
+fn examine(statement: &Statement, certificate: &Certificate, work: &mut Work) -> Result<Theorem, CheckError> {
     let expected = statement.hash();
     if certificate.statement != expected {
         let actual = certificate.statement.clone();
         return Err(Rejection::OtherStatement { expected, actual }.into());
     }
-    let mut work = Work::full();
-    let equations = Equations::of(statement, &mut work)?;
+    let equations = Equations::of(statement, work).map_err(CheckError::Equations)?;
     match &certificate.argument {
-        Argument::Impossible(steps) => replay::replay(statement, &equations, steps, &mut work),
-        Argument::Exact(values) => net::verify(statement, &equations, values, &mut work),
+        Argument::Impossible(steps) => replay::replay(statement, &equations, steps, work),
+        Argument::Exact(values) => {
+            net::verify(statement, &equations, values, work).map_err(|error| match error {
+                net::Failure::Rejected(rejection) => rejection.into(),
+                net::Failure::Limit(limit) => CheckError::Replay { step: 0, limit },
+            })
+        }
     }
 }

@@ -3,19 +3,37 @@
 use std::cmp::Ordering;
 
 use super::equations::Equations;
-use super::error::{CheckError, Rejection};
+use super::error::Rejection;
 use super::replay::shortened;
 use super::theorem::{Claim, Theorem};
 use crate::certificate::Premise;
 use crate::exact::{Limit, Polynomial, Work, sign};
 use crate::statement::{HomogeneousPoint, Patch, Statement, Subject};
 
+/// Why the values were not accepted.
+pub(super) enum Failure {
+    Rejected(Rejection),
+    Limit(Limit),
+}
+
+impl From<Limit> for Failure {
+    fn from(limit: Limit) -> Self {
+        Failure::Limit(limit)
+    }
+}
+
+impl From<Rejection> for Failure {
+    fn from(rejection: Rejection) -> Self {
+        Failure::Rejected(rejection)
+    }
+}
+
 pub(super) fn verify(
     statement: &Statement,
     equations: &Equations,
     values: &[Polynomial],
     work: &mut Work,
-) -> Result<Theorem, CheckError> {
+) -> Result<Theorem, Failure> {
     for (number, assumed) in (1u32..).zip(statement.nonzero()) {
         if assumed.substitute(values, statement.field(), work)?.is_zero() {
             return Err(Rejection::AssumptionVanishes { assumption: Premise::Nonzero(number) }.into());

@@ -30,7 +30,8 @@ pub(super) fn replay(
             pairs.push((multiplier, find(*premise, number, equations, steps, &first, &mut used)?));
             multiplier_terms = multiplier_terms.saturating_add(multiplier.term_count());
         }
-        let actual = combination(&pairs, statement.field(), work)?;
+        let limited = |limit| CheckError::Replay { step: number, limit };
+        let actual = combination(&pairs, statement.field(), work).map_err(limited)?;
         if actual != step.conclusion {
             let (expected, actual) =
                 (shortened(ring.spell(&step.conclusion)), shortened(ring.spell(&actual)));

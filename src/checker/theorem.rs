@@ -75,27 +75,30 @@ impl Theorem {
             .collect();
         let assuming =
             if assumed.is_empty() { String::new() } else { format!(" with {}", assumed.join(", ")) };
-        let unknowns = match self.statement.unknowns() {
-            [] => "There being no unknowns".to_owned(),
-            [one] => format!("For no value of {one}{assuming}, real or complex"),
-            many => format!("For no values of {}{assuming}, real or complex", many.join(", ")),
-        };
         match (self.statement.subject(), &self.claim) {
             (Subject::Patch(patch), Claim::Impossible { .. }) => {
                 let degree = patch.surface.degree();
                 let (m, n) = patch.bidegree;
                 let count = count_coefficients(m.saturating_mul(degree), n.saturating_mul(degree));
                 let surface = self.statement.coordinate_ring().spell(&patch.surface);
+                let patch = format!("this rational Bézier patch of bidegree ({m},{n})");
+                let fails = match self.statement.unknowns() {
+                    [] => format!("{patch} does not lie").replacen("this", "This", 1),
+                    [one] => format!("For no value of {one}{assuming}, real or complex, does {patch} lie"),
+                    many => {
+                        let many = many.join(", ");
+                        format!("For no values of {many}{assuming}, real or complex, does {patch} lie")
+                    }
+                };
                 format!(
-                    "{unknowns}, does this rational Bézier patch of bidegree ({m},{n}) lie on the surface \
-                     {surface} = 0: its {count} coefficients c[r,s] have no common zero over any field \
-                     containing {field}{}.",
-                    if unknowns.starts_with("For") { assuming } else { String::new() }
+                    "{fails} on the surface {surface} = 0: its {count} coefficients c[r,s] have no common zero \
+                     over any field containing {field}{assuming}."
                 )
             }
             (Subject::System(polynomials), Claim::Impossible { .. }) => format!(
-                "The {} polynomials have no common zero{assuming} over any field containing {field}.",
-                polynomials.len()
+                "The system of {} polynomial{} has no zero{assuming} over any field containing {field}.",
+                polynomials.len(),
+                if polynomials.len() == 1 { "" } else { "s" }
             ),
             (_, Claim::Exact { values, weights_positive, .. }) => {
                 let at = if values.is_empty() { "As it stands" } else { "At the stated values" };

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::outcome::{Failure, Outcome, Status};
 use crate::checker::{CheckError, Claim, Theorem, check};
-use crate::exact::limits;
+use crate::exact::{Work, limits};
 use crate::statement::Statement;
 
 /// Reads a file, but not more than one byte beyond its limit.
@@ -27,7 +27,8 @@ pub(super) fn examine(statement: &Path, certificate: &Path) -> Result<Result<The
         Err(CheckError::Rejected(rejection)) => Ok(Err(rejection.to_string())),
         Err(CheckError::Statement(error)) => Err(Failure(format!("{}:{error}", statement.display()))),
         Err(CheckError::Certificate(error)) => Err(Failure(format!("{}:{error}", certificate.display()))),
-        Err(CheckError::Limit(limit)) => Err(Failure(format!("{}: {limit}", certificate.display()))),
+        Err(error @ CheckError::Equations(_)) => Err(Failure(format!("{}: {error}", statement.display()))),
+        Err(error @ CheckError::Replay { .. }) => Err(Failure(format!("{}: {error}", certificate.display()))),
     }
 }
 
@@ -45,8 +46,8 @@ pub fn run(statement: &Path, certificate: &Path) -> Result<Outcome, Failure> {
 /// `canonical`.
 pub fn canonical(statement: &Path) -> Result<Outcome, Failure> {
     let bytes = read_limited(statement, limits::STATEMENT_BYTES)?;
-    let read =
-        Statement::read_bytes(&bytes).map_err(|error| Failure(format!("{}:{error}", statement.display())))?;
+    let read = Statement::read_bytes(&bytes, &mut Work::full())
+        .map_err(|error| Failure(format!("{}:{error}", statement.display())))?;
     Ok(Outcome::plain(read.canonical()))
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::check::read_limited;
 use super::outcome::Failure;
 use crate::catalogue;
-use crate::exact::limits;
+use crate::exact::{Work, limits};
 use crate::statement::Statement;
 
 /// A statement with where it came from.
@@ -38,7 +38,7 @@ impl Source {
             )));
         }
         let bytes = read_limited(name_or_file, limits::STATEMENT_BYTES)?;
-        let statement = Statement::read_bytes(&bytes)
+        let statement = Statement::read_bytes(&bytes, &mut Work::full())
             .map_err(|error| Failure(format!("{}:{error}", name_or_file.display())))?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let name =

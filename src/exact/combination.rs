@@ -13,44 +13,53 @@ use super::polynomial::Polynomial;
 use super::radicands::Radicands;
 use super::work::{Limit, Work};
 
+/// What a call costs at least.
+const CALL: u64 = 1000;
+
 /// Σ aᵢ·bᵢ over the given pairs.
 ///
 /// All products are brought over one common denominator first, so that the inner loop multiplies and adds
-/// integers only; fractions are reduced once, at the end. Costs one unit of [`Work`] for each product of
-/// words and 64 for each pair of terms, charged before anything is multiplied.
+/// integers only; fractions are reduced once, at the end. Everything is charged before it is done.
 pub fn combination(
     pairs: &[(&Polynomial, &Polynomial)],
     field: &Radicands,
     work: &mut Work,
 ) -> Result<Polynomial, Limit> {
+    work.charge(CALL)?;
     for (a, b) in pairs {
-        work.charge_terms(a.term_count().saturating_mul(b.term_count()))?;
-        work.charge_terms(a.term_count().saturating_add(b.term_count()))?;
+        work.charge_pairs((a.term_count(), b.term_count()), (a.power_count(), b.power_count()))?;
     }
     let mut denominator = BigInt::one();
     let mut denominators = Vec::with_capacity(pairs.len());
     for (a, b) in pairs {
         let (left, right) = (common_denominator(a, work)?, common_denominator(b, work)?);
-        work.charge_product(&left, &right)?;
-        let product = &left * &right;
+        let product = checked_product(&left, &right, work)?;
         denominator = checked_lcm(&denominator, &product, work)?;
         denominators.push((left, right, product));
     }
 
     let mut sum: BTreeMap<Monomial, BigInt> = BTreeMap::new();
-    let roots: Vec<BigInt> = field.masks().map(|mask| field.under_root(mask)).collect();
+    let mut powers = 0usize;
     for ((a, b), (left, right, product)) in pairs.iter().zip(&denominators) {
+        work.charge_product(left, &denominator)?;
         let factor = left * (&denominator / product);
         let (a, b) = (integral(a, &factor, work)?, integral(b, right, work)?);
         for (m, x) in &a {
             for (n, y) in &b {
-                work.charge_product(x, y)?;
                 let (monomial, met) = m.product(n)?;
-                let mut value = x * y;
+                let mut value = checked_product(x, y, work)?;
                 if met != 0 {
-                    value *= roots.get(usize::from(met)).unwrap_or(&BigInt::ZERO);
+                    value *= field.under_root(met);
                 }
-                *sum.entry(monomial).or_insert(BigInt::ZERO) += value;
+                let length = monomial.powers().len();
+                let cell = sum.entry(monomial).or_insert_with(|| {
+                    powers = powers.saturating_add(length);
+                    BigInt::ZERO
+                });
+                *cell += value;
+                if powers > limits::POWERS {
+                    return Err(Limit::new("powers of variables in a polynomial", 10_000_000));
+                }
             }
             if sum.len() > limits::TERMS {
                 return Err(Limit::terms());
@@ -60,8 +69,12 @@ pub fn combination(
 
     let mut terms = Vec::with_capacity(sum.len());
     for (monomial, value) in sum.into_iter().filter(|(_, value)| !value.is_zero()) {
-        work.charge_product(&value, &denominator)?;
-        terms.push((monomial, BigRational::new(value, denominator.clone())));
+        if denominator.is_one() {
+            terms.push((monomial, BigRational::from_integer(value)));
+        } else {
+            work.charge_gcd(&value, &denominator)?;
+            terms.push((monomial, BigRational::new(value, denominator.clone())));
+        }
     }
     Ok(Polynomial::from_terms(terms))
 }
@@ -74,8 +87,9 @@ fn integral(
 ) -> Result<Vec<(Monomial, BigInt)>, Limit> {
     let mut terms = Vec::with_capacity(polynomial.term_count());
     for (monomial, value) in polynomial.terms() {
-        work.charge_product(factor, value.numer())?;
-        terms.push((monomial.clone(), factor / value.denom() * value.numer()));
+        work.charge_term(monomial)?;
+        work.charge_product(factor, factor)?;
+        terms.push((monomial.clone(), checked_product(&(factor / value.denom()), value.numer(), work)?));
     }
     Ok(terms)
 }
@@ -90,16 +104,21 @@ fn common_denominator(polynomial: &Polynomial, work: &mut Work) -> Result<BigInt
     Ok(denominator)
 }
 
-/// The least common multiple, refused where it would be absurdly long: many large denominators without
-/// common factors would otherwise turn a small file into a huge number.
 fn checked_lcm(a: &BigInt, b: &BigInt, work: &mut Work) -> Result<BigInt, Limit> {
-    /// Bits of a common denominator: a few times the longest denominator allowed.
-    const BITS: u64 = 1 << 17;
-    if a.bits().saturating_add(b.bits()) > BITS {
-        return Err(Limit::new("bits of a common denominator", BITS));
+    if b.is_one() || a == b {
+        return Ok(a.clone());
     }
-    // A greatest common divisor takes about one subtraction for each bit.
+    work.charge_gcd(a, b)?;
+    // a and gcd(a, b) divide without remainder: the product is no longer than both factors together.
+    checked_product(&(a / a.gcd(b)), b, work)
+}
+
+/// The product, refused where it would be absurdly long: many large denominators without common factors would
+/// otherwise turn a small file into a huge number.
+fn checked_product(a: &BigInt, b: &BigInt, work: &mut Work) -> Result<BigInt, Limit> {
+    if a.bits().saturating_add(b.bits()) > limits::BITS {
+        return Err(Limit::new("bits of an intermediate number", limits::BITS));
+    }
     work.charge_product(a, b)?;
-    work.charge(a.bits().saturating_add(b.bits()).saturating_mul(a.bits().max(b.bits()).div_ceil(64)))?;
-    Ok(a.lcm(b))
+    Ok(a * b)
 }

@@ -14,6 +14,12 @@ pub const STEPS: usize = 100_000;
 pub const DIGITS: usize = 4096;
 /// Terms of one polynomial.
 pub const TERMS: usize = 1_000_000;
+/// Powers of variables in all terms of one polynomial.
+pub const POWERS: usize = 10_000_000;
+/// Bits of a number on the way to a result: a common denominator, a product before it is reduced.
+pub const BITS: u64 = 1 << 17;
+/// Bits of all numbers of a statement together.
+pub const STATEMENT_BITS: u64 = 1 << 27;
 /// Total degree of a power product, and any one exponent.
 pub const DEGREE: u32 = 1000;
 /// Unknowns of a statement.
@@ -36,5 +42,5 @@ pub const RADICAND: u32 = 1_000_000;
 pub const NAME: usize = 32;
 /// Characters of a title.
 pub const TITLE: usize = 200;
-/// Work of one reading or one replay: a product of two 64-bit words counts 1, visiting a term 64.
+/// Units of work for one statement with one certificate; [`super::Work`] has the prices.
 pub const WORK: u64 = 4_000_000_000;

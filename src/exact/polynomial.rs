@@ -1,22 +1,44 @@
-//! Polynomials over K as maps from basis elements to non-zero rationals.
+//! Polynomials over K as sums of basis elements with non-zero rational coefficients.
 
-use std::collections::BTreeMap;
+use std::hash::{Hash, Hasher};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::combination::combination;
-use super::limits;
 use super::monomial::Monomial;
 use super::radicands::Radicands;
 use super::work::{Limit, Work};
 
 /// A polynomial with coefficients in K; a constant of K is one without variables.
-#[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Polynomial {
-    /// No coefficient is zero.
-    terms: BTreeMap<Monomial, BigRational>,
+    /// In the order of spelling, each monomial once, no coefficient zero, all in lowest terms.
+    terms: Vec<(Monomial, BigRational)>,
+}
+
+/// Equality by numerators and denominators. (`Ratio` compares and hashes by continued fractions, recursively:
+/// two long numbers would exhaust the stack.)
+impl PartialEq for Polynomial {
+    fn eq(&self, other: &Self) -> bool {
+        let same = |((m, a), (n, b)): (&(Monomial, BigRational), &(Monomial, BigRational))| {
+            m == n && a.numer() == b.numer() && a.denom() == b.denom()
+        };
+        self.terms.len() == other.terms.len() && self.terms.iter().zip(&other.terms).all(same)
+    }
+}
+
+impl Eq for Polynomial {}
+
+impl Hash for Polynomial {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        for (monomial, value) in &self.terms {
+            monomial.hash(state);
+            value.numer().hash(state);
+            value.denom().hash(state);
+        }
+    }
 }
 
 impl Polynomial {
@@ -48,19 +70,35 @@ impl Polynomial {
         Polynomial::from_terms([(monomial, coefficient)])
     }
 
-    /// A sum of terms, given in any order; the coefficients of equal monomials are *not* added.
+    /// A sum of terms, in any order, each monomial once.
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, BigRational)>) -> Self {
-        Polynomial { terms: terms.into_iter().filter(|(_, coefficient)| !coefficient.is_zero()).collect() }
+        let mut terms: Vec<_> = terms.into_iter().filter(|(_, value)| !value.is_zero()).collect();
+        if !terms.is_sorted_by(|(a, _), (b, _)| a < b) {
+            terms.sort_by(|(a, _), (b, _)| a.cmp(b));
+        }
+        terms.shrink_to_fit();
+        Polynomial { terms }
     }
 
     /// The terms in the order of spelling.
     pub fn terms(&self) -> impl ExactSizeIterator<Item = (&Monomial, &BigRational)> {
-        self.terms.iter()
+        self.terms.iter().map(|(monomial, value)| (monomial, value))
     }
 
     /// The number of terms `rational · √n · power product`.
     pub fn term_count(&self) -> usize {
         self.terms.len()
+    }
+
+    /// The number of powers of variables in all terms.
+    pub fn power_count(&self) -> usize {
+        self.terms.iter().fold(0, |sum, (monomial, _)| monomial.powers().len().saturating_add(sum))
+    }
+
+    /// The bits of all numerators and denominators.
+    pub fn bit_count(&self) -> u64 {
+        let bits = |value: &BigRational| value.numer().bits().saturating_add(value.denom().bits());
+        self.terms.iter().fold(0, |sum, (_, value)| bits(value).saturating_add(sum))
     }
 
     /// Whether this is 0.
@@ -80,39 +118,33 @@ impl Polynomial {
 
     /// The total degree; 0 for the zero polynomial.
     pub fn degree(&self) -> u32 {
-        self.terms.keys().map(Monomial::degree).max().unwrap_or(0)
+        self.terms.iter().map(|(monomial, _)| monomial.degree()).max().unwrap_or(0)
+    }
+
+    /// The radicands that occur, as one mask.
+    pub fn mask(&self) -> u8 {
+        self.terms.iter().fold(0, |all, (monomial, _)| all | monomial.mask())
     }
 
     /// The value, if it is rational.
     pub fn as_rational(&self) -> Option<BigRational> {
-        match self.terms.first_key_value() {
-            None => Some(BigRational::zero()),
-            Some((monomial, value)) if self.term_count() == 1 && *monomial == Monomial::one() => {
-                Some(value.clone())
-            }
-            Some(_) => None,
+        match self.terms.as_slice() {
+            [] => Some(BigRational::zero()),
+            [(monomial, value)] if *monomial == Monomial::one() => Some(value.clone()),
+            _ => None,
         }
     }
 
-    /// `self + other`.
-    pub fn add(&self, other: &Self, work: &mut Work) -> Result<Self, Limit> {
-        work.charge_terms(self.term_count().saturating_add(other.term_count()))?;
-        let mut terms = self.terms.clone();
-        for (monomial, value) in &other.terms {
-            let sum = terms.remove(monomial).unwrap_or_else(BigRational::zero) + value;
-            if !sum.is_zero() {
-                terms.insert(monomial.clone(), sum);
-            }
-        }
-        if terms.len() > limits::TERMS {
-            return Err(Limit::terms());
-        }
-        Ok(Polynomial { terms })
+    /// The sum of polynomials.
+    pub fn sum(of: &[Polynomial], field: &Radicands, work: &mut Work) -> Result<Self, Limit> {
+        let one = Polynomial::integer(1);
+        let pairs: Vec<(&Polynomial, &Polynomial)> = of.iter().map(|summand| (&one, summand)).collect();
+        combination(&pairs, field, work)
     }
 
     /// `−self`.
     pub fn negate(&self) -> Self {
-        Polynomial { terms: self.terms.iter().map(|(m, value)| (m.clone(), -value)).collect() }
+        Polynomial { terms: self.terms.iter().map(|(monomial, value)| (monomial.clone(), -value)).collect() }
     }
 
     /// `self · other`.
@@ -138,9 +170,11 @@ impl Polynomial {
         }
         let (mut norm, mut cofactor) = (self.clone(), Polynomial::integer(1));
         for bit in field.generators() {
-            let conjugate = norm.conjugate(bit);
-            cofactor = cofactor.multiply(&conjugate, field, work)?;
-            norm = norm.multiply(&conjugate, field, work)?;
+            if norm.mask() & bit != 0 {
+                let conjugate = norm.conjugate(bit);
+                cofactor = cofactor.multiply(&conjugate, field, work)?;
+                norm = norm.multiply(&conjugate, field, work)?;
+            }
         }
         match norm.as_rational() {
             Some(value) if !value.is_zero() => {
@@ -153,8 +187,8 @@ impl Polynomial {
 
     /// The image under √d ↦ −√d for the radicand in `bit`.
     fn conjugate(&self, bit: u8) -> Self {
-        let flip = |(m, value): (&Monomial, &BigRational)| {
-            (m.clone(), if m.mask() & bit == 0 { value.clone() } else { -value })
+        let flip = |(monomial, value): &(Monomial, BigRational)| {
+            (monomial.clone(), if monomial.mask() & bit == 0 { value.clone() } else { -value })
         };
         Polynomial { terms: self.terms.iter().map(flip).collect() }
     }
@@ -166,7 +200,7 @@ impl Polynomial {
         field: &Radicands,
         work: &mut Work,
     ) -> Result<Self, Limit> {
-        let mut sum = Polynomial::zero();
+        let mut products = Vec::with_capacity(self.terms.len());
         for (monomial, coefficient) in &self.terms {
             let mut product = Polynomial::term(coefficient.clone(), Monomial::radical(monomial.mask()));
             for &(variable, exponent) in monomial.powers() {
@@ -174,8 +208,8 @@ impl Polynomial {
                 let value = value.unwrap_or_else(|| Polynomial::variable(variable));
                 product = product.multiply(&value.power(exponent, field, work)?, field, work)?;
             }
-            sum = sum.add(&product, work)?;
+            products.push(product);
         }
-        Ok(sum)
+        Polynomial::sum(&products, field, work)
     }
 }

@@ -10,10 +10,15 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::limits;
+use super::work::{Limit, Work};
 
 /// Distinct primes in increasing order; the field they generate has degree 2ᵏ over Q because they are.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Radicands(Vec<u32>);
+pub struct Radicands {
+    values: Vec<u32>,
+    /// The product of each subset, by mask.
+    products: Vec<BigInt>,
+}
 
 /// Why a list of integers is not a list of radicands.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -65,17 +70,22 @@ impl Radicands {
                 return Err(RadicandsError::Repeated(value));
             }
         }
-        Ok(Radicands(values))
+        // Each radicand doubles the list: the products with it follow those without.
+        let products = values.iter().fold(vec![BigInt::one()], |products, &value| {
+            let with = products.iter().map(|product| product * BigInt::from(value)).collect();
+            [products, with].concat()
+        });
+        Ok(Radicands { values, products })
     }
 
     /// The radicands, increasing.
     pub fn values(&self) -> &[u32] {
-        &self.0
+        &self.values
     }
 
     /// The masks 1, 2, 4, … of the single radicands.
     pub fn generators(&self) -> impl Iterator<Item = u8> + '_ {
-        (0u32..).zip(&self.0).map(|(bit, _)| 1u8.checked_shl(bit).unwrap_or(0))
+        (0u32..).zip(&self.values).map(|(bit, _)| 1u8.checked_shl(bit).unwrap_or(0))
     }
 
     /// All masks of the field: 0 (for 1) up to 2ᵏ − 1.
@@ -86,26 +96,34 @@ impl Radicands {
 
     /// The product of the radicands in `mask`: the number under the root.
     pub fn under_root(&self, mask: u8) -> BigInt {
-        let chosen = self.generators().zip(&self.0).filter(|(bit, _)| mask & bit != 0);
-        chosen.fold(BigInt::one(), |product, (_, &value)| product * BigInt::from(value))
+        self.products.get(usize::from(mask)).cloned().unwrap_or_else(BigInt::one)
     }
 
     /// √q for a rational q ≥ 0 as `rational · √(mask)`, or `None` where it is not in the field.
-    pub fn square_root(&self, q: &BigRational) -> Option<(BigRational, u8)> {
+    pub fn square_root(&self, q: &BigRational, work: &mut Work) -> Result<Option<(BigRational, u8)>, Limit> {
         if q.is_negative() {
-            return None;
+            return Ok(None);
         }
         if q.is_zero() {
-            return Some((BigRational::zero(), 0));
+            return Ok(Some((BigRational::zero(), 0)));
         }
         // √(a/b) = √(ab)/b, and √(ab) = s·√n iff ab/n is the square s² for one squarefree n of the field.
+        work.charge_product(q.numer(), q.denom())?;
         let product = q.numer() * q.denom();
-        self.masks().find_map(|mask| {
+        for mask in self.masks() {
+            work.charge_product(&product, &product)?;
             let (quotient, remainder) = product.div_rem(&self.under_root(mask));
+            if !remainder.is_zero() {
+                continue;
+            }
+            work.charge_root(&quotient)?;
             let root = quotient.sqrt();
-            (remainder.is_zero() && &root * &root == quotient)
-                .then(|| (BigRational::new(root, q.denom().clone()), mask))
-        })
+            if &root * &root == quotient {
+                work.charge_gcd(&root, q.denom())?;
+                return Ok(Some((BigRational::new(root, q.denom().clone()), mask)));
+            }
+        }
+        Ok(None)
     }
 }
 
@@ -117,7 +135,7 @@ fn is_prime(value: u32) -> bool {
 impl fmt::Display for Radicands {
     /// `Q(√2,√3)`, or `Q` for no radicands.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let roots: Vec<String> = self.0.iter().map(|value| format!("√{value}")).collect();
+        let roots: Vec<String> = self.values.iter().map(|value| format!("√{value}")).collect();
         if roots.is_empty() { write!(f, "Q") } else { write!(f, "Q({})", roots.join(",")) }
     }
 }

@@ -2,8 +2,10 @@
 
 use std::cmp::Ordering;
 
-use num_traits::Signed;
+use num_traits::{One, Signed};
 
+use super::combination::combination;
+use super::monomial::Monomial;
 use super::polynomial::Polynomial;
 use super::radicands::Radicands;
 use super::work::{Limit, Work};
@@ -16,8 +18,7 @@ pub fn sign(value: &Polynomial, field: &Radicands, work: &mut Work) -> Result<Op
     if !value.is_constant() {
         return Ok(None);
     }
-    let occurring = value.terms().fold(0u8, |all, (m, _)| all | m.mask());
-    let Some(bit) = field.generators().filter(|bit| occurring & bit != 0).last() else {
+    let Some(bit) = field.generators().filter(|bit| value.mask() & bit != 0).last() else {
         let rational = value.terms().next().map_or(Ordering::Equal, |(_, q)| match q.is_positive() {
             true => Ordering::Greater,
             false => Ordering::Less,
@@ -30,7 +31,7 @@ pub fn sign(value: &Polynomial, field: &Radicands, work: &mut Work) -> Result<Op
     };
     // `root` is b√d itself: the sign of b√d is found from (b√d)·√d, which lies in the smaller field.
     let (plain, root) = (part(false), part(true));
-    let sqrt = Polynomial::term(num_traits::One::one(), super::monomial::Monomial::radical(bit));
+    let sqrt = Polynomial::term(One::one(), Monomial::radical(bit));
     let (Some(of_plain), Some(of_root)) =
         (sign(&plain, field, work)?, sign(&root.multiply(&sqrt, field, work)?, field, work)?)
     else {
@@ -39,8 +40,7 @@ pub fn sign(value: &Polynomial, field: &Radicands, work: &mut Work) -> Result<Op
     if of_plain == of_root || of_plain == Ordering::Equal {
         return Ok(Some(of_root));
     }
-    let squares =
-        plain.multiply(&plain, field, work)?.add(&root.multiply(&root, field, work)?.negate(), work)?;
+    let squares = combination(&[(&plain, &plain), (&root.negate(), &root)], field, work)?;
     Ok(sign(&squares, field, work)?.map(|larger| match larger {
         Ordering::Greater => of_plain,
         _ => of_root,

@@ -38,14 +38,13 @@ pub enum SpellingError {
         /// What stands there, shortened.
         found: String,
     },
-    /// A limit of the format.
-    Limit(Limit),
-}
-
-impl From<Limit> for SpellingError {
-    fn from(limit: Limit) -> Self {
-        SpellingError::Limit(limit)
-    }
+    /// A limit of the format, reached at this byte.
+    Limit {
+        /// Offset in bytes.
+        at: usize,
+        /// The limit.
+        limit: Limit,
+    },
 }
 
 impl fmt::Display for SpellingError {
@@ -54,7 +53,7 @@ impl fmt::Display for SpellingError {
             SpellingError::Expected { expected, found, .. } => {
                 write!(f, "expected {expected}, found {found}")
             }
-            SpellingError::Limit(limit) => limit.fmt(f),
+            SpellingError::Limit { limit, .. } => limit.fmt(f),
         }
     }
 }
@@ -63,13 +62,16 @@ impl std::error::Error for SpellingError {}
 
 impl SpellingError {
     /// The same error in a text that has `offset` more bytes in front.
-    pub fn moved_by(self, offset: usize) -> Self {
-        match self {
-            SpellingError::Expected { at, expected, found } => {
-                SpellingError::Expected { at: at.saturating_add(offset), expected, found }
-            }
-            limit @ SpellingError::Limit(_) => limit,
-        }
+    pub fn moved_by(mut self, offset: usize) -> Self {
+        let (SpellingError::Expected { at, .. } | SpellingError::Limit { at, .. }) = &mut self;
+        *at = at.saturating_add(offset);
+        self
+    }
+
+    /// The byte it is about.
+    pub fn at(&self) -> usize {
+        let (SpellingError::Expected { at, .. } | SpellingError::Limit { at, .. }) = self;
+        *at
     }
 }
 
@@ -124,7 +126,7 @@ pub fn read_natural(text: &str) -> Result<(BigInt, &str), SpellingError> {
         return Err(expected(0, "a number", text));
     }
     if digits > limits::DIGITS {
-        return Err(Limit::digits().into());
+        return Err(SpellingError::Limit { at: 0, limit: Limit::digits() });
     }
     if digits > 1 && number.starts_with('0') {
         return Err(expected(0, "a number without leading zeros", text));
@@ -160,6 +162,11 @@ impl<'a> Reader<'a, '_> {
         Err(expected(self.at, message, self.rest()))
     }
 
+    /// A limit reached at this place.
+    fn limited<T>(&self, result: Result<T, Limit>) -> Result<T, SpellingError> {
+        result.map_err(|limit| SpellingError::Limit { at: self.at, limit })
+    }
+
     fn take(&mut self, token: &str) -> bool {
         let found = self.rest().starts_with(token);
         if found {
@@ -176,7 +183,8 @@ impl<'a> Reader<'a, '_> {
         let mut negative = self.take("-");
         loop {
             let start = self.at;
-            self.work.charge_terms(1)?;
+            let limit = self.work.charge_search(64);
+            self.limited(limit)?;
             let (monomial, coefficient) = self.term()?;
             if terms.last().is_some_and(|(last, _)| *last >= monomial) {
                 self.at = start;
@@ -184,7 +192,7 @@ impl<'a> Reader<'a, '_> {
             }
             terms.push((monomial, if negative { -coefficient } else { coefficient }));
             if terms.len() > limits::TERMS {
-                return Err(Limit::terms().into());
+                return self.limited(Err(Limit::terms()));
             }
             if self.rest().is_empty() {
                 return Ok(Polynomial::from_terms(terms));
@@ -222,8 +230,14 @@ impl<'a> Reader<'a, '_> {
                 powers.push(self.power(powers.last().copied())?);
             }
         }
+        let end = self.at;
         match Monomial::new(mask, powers) {
-            Some(monomial) => Ok((monomial?, coefficient.unwrap_or_else(BigRational::one))),
+            Some(monomial) => {
+                self.at = start;
+                let monomial = self.limited(monomial)?;
+                self.at = end;
+                Ok((monomial, coefficient.unwrap_or_else(BigRational::one)))
+            }
             None => self.fail("variables in order"),
         }
     }
@@ -242,7 +256,8 @@ impl<'a> Reader<'a, '_> {
             return Ok(BigRational::from_integer(numerator));
         }
         let denominator = self.natural()?;
-        self.work.charge(numerator.bits().saturating_mul(denominator.bits().div_ceil(64)))?;
+        let charged = self.work.charge_gcd(&numerator, &denominator);
+        self.limited(charged)?;
         if denominator <= BigInt::one() || !numerator.gcd(&denominator).is_one() {
             self.at = start;
             return self.fail("a fraction in lowest terms");
@@ -267,7 +282,8 @@ impl<'a> Reader<'a, '_> {
 
     /// A variable, with its exponent if that is not 1; it must come after `previous`.
     fn power(&mut self, previous: Option<(u16, u32)>) -> Result<(u16, u32), SpellingError> {
-        self.work.charge_terms(self.ring.variables.len().div_ceil(16))?;
+        let charged = self.work.charge_search(self.ring.variables.len());
+        self.limited(charged)?;
         let start = self.at;
         let length = self.rest().find([' ', '*', '^']).unwrap_or(self.rest().len());
         let name = self.rest().get(..length).unwrap_or("");
@@ -288,7 +304,10 @@ impl<'a> Reader<'a, '_> {
                 self.at = start;
                 self.fail("an exponent of at least 2, or none")
             }
-            _ => Err(Limit::new("in an exponent", limits::DEGREE.into()).into()),
+            _ => {
+                self.at = start;
+                self.limited(Err(Limit::new("in an exponent", limits::DEGREE.into())))
+            }
         }
     }
 }

@@ -1,10 +1,13 @@
 //! A meter for work done on behalf of a file nobody has vetted.
+//!
+//! A unit is about a nanosecond. Work is charged before it is done, so that a small file cannot ask for much.
 
 use std::fmt;
 
 use num_bigint::BigInt;
 
 use super::limits;
+use super::monomial::Monomial;
 
 /// A limit that a file ran into: what was limited and at what. Never a verdict on the file's claim.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -23,12 +26,12 @@ impl Limit {
 
     /// The limit on the length of a polynomial.
     pub fn terms() -> Self {
-        Limit::new("terms of a polynomial", words(limits::TERMS))
+        Limit::new("terms of a polynomial", count(limits::TERMS))
     }
 
     /// The limit on the length of a number.
     pub fn digits() -> Self {
-        Limit::new("digits of a number", words(limits::DIGITS))
+        Limit::new("digits of a number", count(limits::DIGITS))
     }
 }
 
@@ -40,15 +43,18 @@ impl fmt::Display for Limit {
 
 impl std::error::Error for Limit {}
 
-/// The work still allowed. It is charged before the work is done.
+/// The work still allowed.
 #[derive(Debug, Clone)]
 pub struct Work {
     left: u64,
 }
 
 impl Work {
-    /// What visiting one term costs, in word products.
-    const TERM: u64 = 64;
+    /// Visiting a term, and each power in it.
+    const TERM: u64 = 300;
+    const POWER: u64 = 40;
+    /// One step of a division, a common divisor or a root, beside its words.
+    const STEP: u64 = 8;
 
     /// The full allowance of [`limits::WORK`].
     pub fn full() -> Self {
@@ -66,18 +72,46 @@ impl Work {
         }
     }
 
-    /// Takes the cost of visiting `count` terms.
-    pub fn charge_terms(&mut self, count: usize) -> Result<(), Limit> {
-        self.charge(words(count).saturating_mul(Work::TERM))
+    /// A look through a list of so many names.
+    pub fn charge_search(&mut self, names: usize) -> Result<(), Limit> {
+        self.charge(count(names).saturating_mul(4))
     }
 
-    /// Takes the cost of one product, quotient or common divisor of `a` and `b`.
+    /// Visiting one term.
+    pub fn charge_term(&mut self, monomial: &Monomial) -> Result<(), Limit> {
+        self.charge(Work::TERM.saturating_add(count(monomial.powers().len()).saturating_mul(Work::POWER)))
+    }
+
+    /// All pairs of terms of two polynomials with so many terms and powers.
+    pub fn charge_pairs(&mut self, terms: (usize, usize), powers: (usize, usize)) -> Result<(), Limit> {
+        let pairs = count(terms.0).saturating_mul(count(terms.1));
+        let left = count(powers.0).saturating_mul(count(terms.1));
+        let right = count(powers.1).saturating_mul(count(terms.0));
+        let powers = left.saturating_add(right).saturating_mul(Work::POWER);
+        self.charge(pairs.saturating_mul(Work::TERM).saturating_add(powers))
+    }
+
+    /// One product of `a` and `b`.
     pub fn charge_product(&mut self, a: &BigInt, b: &BigInt) -> Result<(), Limit> {
-        let (a, b) = (a.bits().div_ceil(64), b.bits().div_ceil(64));
-        self.charge(a.saturating_mul(b).saturating_add(1))
+        self.charge(words(a).saturating_mul(words(b)))
+    }
+
+    /// One greatest common divisor: about one subtraction of the longer number for each bit of both.
+    pub fn charge_gcd(&mut self, a: &BigInt, b: &BigInt) -> Result<(), Limit> {
+        let steps = a.bits().saturating_add(b.bits());
+        self.charge(steps.saturating_mul(words(a).max(words(b)).saturating_add(Work::STEP)))
+    }
+
+    /// One square root: a few divisions of numbers that long.
+    pub fn charge_root(&mut self, a: &BigInt) -> Result<(), Limit> {
+        self.charge(words(a).saturating_mul(words(a)).saturating_mul(64).saturating_add(1000))
     }
 }
 
-fn words(count: usize) -> u64 {
-    u64::try_from(count).unwrap_or(u64::MAX)
+fn count(length: usize) -> u64 {
+    u64::try_from(length).unwrap_or(u64::MAX)
+}
+
+fn words(a: &BigInt) -> u64 {
+    a.bits().div_ceil(64)
 }

@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::StatementFault;
 use super::patch::read_patch;
-use super::source::{Located, locate};
+use super::source::{Located, is_unprintable, locate};
 use super::{COORDINATES, Patch, Statement, StatementError, Subject};
 use crate::exact::{Limit, Polynomial, Radicands, Work, limits};
 
@@ -28,19 +28,22 @@ impl Statement {
     /// # Errors
     /// [`StatementError`] with line, column, the offending text and what was expected.
     pub fn read(text: &str) -> Result<Statement, StatementError> {
-        Document::parse(text)
-            .and_then(|document| document.statement())
-            .map_err(|located| locate(text, located))
+        Statement::read_within(text, &mut Work::full())
     }
 
-    /// Reads the bytes of a statement file, within the limits of the format.
-    pub fn read_bytes(bytes: &[u8]) -> Result<Statement, StatementError> {
+    fn read_within(text: &str, work: &mut Work) -> Result<Statement, StatementError> {
+        let read = Document::parse(text).and_then(|document| document.statement(work));
+        read.map_err(|located| locate(text, located))
+    }
+
+    /// Reads the bytes of a statement file, within the limits of the format and the work left.
+    pub fn read_bytes(bytes: &[u8], work: &mut Work) -> Result<Statement, StatementError> {
         if bytes.len() > usize::try_from(limits::STATEMENT_BYTES).unwrap_or(usize::MAX) {
             let limit = Limit::new("bytes in a statement", limits::STATEMENT_BYTES);
             return Err(locate("", (limit.into(), 0..0)));
         }
         match std::str::from_utf8(bytes) {
-            Ok(text) => Statement::read(text),
+            Ok(text) => Statement::read_within(text, work),
             Err(error) => {
                 let valid = bytes.get(..error.valid_up_to()).unwrap_or(&[]);
                 let valid = String::from_utf8_lossy(valid);
@@ -65,28 +68,31 @@ impl<'a> Document<'a> {
         Ok(Document { text, table: table.into_inner() })
     }
 
-    fn statement(&self) -> Result<Statement, Located> {
+    fn statement(&self, work: &mut Work) -> Result<Statement, Located> {
         self.check_keys()?;
-        let mut work = Work::full();
         let title = self.title()?;
         let field = self.field()?;
         let unknowns = self.unknowns()?;
-        let constants = self.constants(&field, &unknowns, &mut work)?;
+        let constants = self.constants(&field, &unknowns, work)?;
         let scope = Scope { field: &field, variables: &unknowns, constants: &constants };
 
-        let nonzero =
-            self.polynomials("nonzero", limits::ASSUMPTIONS, &scope, &mut work)?.unwrap_or_default();
+        let nonzero = self.polynomials("nonzero", limits::ASSUMPTIONS, &scope, work)?.unwrap_or_default();
         if let Some((_, span)) = nonzero.iter().find(|(polynomial, _)| polynomial.is_zero()) {
             return Err((StatementFault::ZeroAssumed, span.clone()));
         }
-        let subject = match self.polynomials("polynomials", limits::EQUATIONS, &scope, &mut work)? {
+        let subject = match self.polynomials("polynomials", limits::EQUATIONS, &scope, work)? {
             Some(polynomials) => {
                 Subject::System(polynomials.into_iter().map(|(polynomial, _)| polynomial).collect())
             }
-            None => Subject::Patch(self.patch(&scope, &mut work)?),
+            None => Subject::Patch(self.patch(&scope, work)?),
         };
         let nonzero = nonzero.into_iter().map(|(polynomial, _)| polynomial).collect();
-        Ok(Statement { title, field, unknowns, nonzero, subject })
+        let statement = Statement { title, field, unknowns, nonzero, subject };
+        if statement.bit_count() > limits::STATEMENT_BITS {
+            let limit = Limit::new("bits in the numbers of a statement", limits::STATEMENT_BITS);
+            return Err((limit.into(), 0..0));
+        }
+        Ok(statement)
     }
 
     fn check_keys(&self) -> Result<(), Located> {
@@ -116,7 +122,7 @@ impl<'a> Document<'a> {
     fn title(&self) -> Result<String, Located> {
         let value = self.required("title", "a string that names the statement")?;
         let title = string(value, "a string")?;
-        if title.chars().count() > limits::TITLE || title.chars().any(char::is_control) {
+        if title.chars().count() > limits::TITLE || title.chars().any(is_unprintable) {
             let expected = "at most 200 characters on one line";
             return Err((
                 StatementFault::WrongType { expected, found: "a longer or unprintable title" },
@@ -169,6 +175,10 @@ impl<'a> Document<'a> {
         let mut constants: Vec<(String, Polynomial)> = Vec::new();
         for (key, value) in entries {
             check_name(key.get_ref(), key.span())?;
+            if KEYS.split(", ").any(|known| known == key.get_ref().as_ref()) {
+                let expected = "another one: this is a key of the statement, which belongs above [define]";
+                return Err((StatementFault::Name { name: key.get_ref().to_string(), expected }, key.span()));
+            }
             if unknowns.iter().any(|unknown| unknown == key.get_ref()) {
                 return Err((StatementFault::RepeatedName(key.get_ref().to_string()), key.span()));
             }
@@ -219,13 +229,29 @@ impl<'a> Document<'a> {
         let span = value.span();
         let text = match value.get_ref() {
             DeValue::String(text) => text.clone().into_owned(),
-            DeValue::Integer(number) if number.radix() == 10 => number.as_str().to_owned(),
+            DeValue::Integer(number) => {
+                let small = i64::from_str_radix(number.as_str(), number.radix()).ok();
+                small
+                    .ok_or_else(|| wrong_type(value, "an integer of 64 bits, or quotes around it"))?
+                    .to_string()
+            }
             _ => return Err(wrong_type(value, "an expression in quotes, or an integer")),
         };
-        // The place inside the quotes is known where the string is spelled without escapes.
-        let spelled = self.text.get(span.clone()).unwrap_or("");
-        let offset = spelled.find(&text).and_then(|inside| inside.checked_add(span.start));
+        let offset = self.start_of_contents(&span, &text);
         evaluate(&text, scope, work).map_err(|located| moved(located, &span, offset))
+    }
+
+    /// Where a string's contents start, if it is spelled without escapes.
+    fn start_of_contents(&self, span: &Range<usize>, contents: &str) -> Option<usize> {
+        let spelled = self.text.get(span.clone())?;
+        let quotes = ["\"\"\"", "'''", "\"", "'"].into_iter().find(|quotes| spelled.starts_with(quotes));
+        let quotes = quotes.unwrap_or("");
+        let inside = spelled.strip_prefix(quotes)?.strip_suffix(quotes)?;
+        // A newline right after three quotes is not part of the string.
+        let plain =
+            inside == contents || (quotes.len() == 3 && inside.trim_start_matches(['\r', '\n']) == contents);
+        let skipped = spelled.len().checked_sub(quotes.len())?.checked_sub(contents.len())?;
+        if plain { span.start.checked_add(skipped) } else { None }
     }
 }
 

@@ -58,6 +58,8 @@ pub enum StatementFault {
     NotHomogeneous { degree: u32, other: u32 },
     /// The surface is the zero polynomial, or a constant.
     NoSurface,
+    /// Every weight of the net is the zero polynomial.
+    NoDenominator,
     /// An assumption that is the zero polynomial.
     ZeroAssumed,
     /// In an expression something else was expected.
@@ -122,6 +124,9 @@ impl fmt::Display for StatementFault {
                 )
             }
             Fault::NoSurface => write!(f, "the surface has degree 0, expected a polynomial in X, Y, Z, W"),
+            Fault::NoDenominator => {
+                write!(f, "every weight of the net is zero, expected a patch with a denominator")
+            }
             Fault::ZeroAssumed => write!(f, "the zero polynomial is assumed not to vanish"),
             Fault::Syntax { expected, found } => write!(f, "expected {expected}, found {found}"),
             Fault::UnknownSymbol { name, expected } => {

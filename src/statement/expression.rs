@@ -32,7 +32,11 @@ pub(super) fn evaluate(text: &str, scope: &Scope<'_>, work: &mut Work) -> Result
     let mut parser = Parser { text, at: 0, depth: 0, scope, work };
     let value = parser.expression()?;
     parser.skip_space();
-    if parser.rest().is_empty() { Ok(value) } else { parser.unexpected("an operator (+ - * / ^) or the end") }
+    match parser.rest().chars().next() {
+        None => Ok(value),
+        Some('^') => parser.unexpected("brackets around a power that is raised to a power"),
+        Some(_) => parser.unexpected("an operator (+ - * / ^) or the end"),
+    }
 }
 
 struct Parser<'a, 'w> {
@@ -89,16 +93,22 @@ impl<'a> Parser<'a, '_> {
             self.take('+');
         }
         let first = self.product()?;
-        let mut sum = if negative { first.negate() } else { first };
+        let mut summands = vec![if negative { first.negate() } else { first }];
         loop {
             let minus = self.take('-');
             if !minus && !self.take('+') {
-                return Ok(sum);
+                break;
             }
             let next = self.product()?;
-            let next = if minus { next.negate() } else { next };
-            let total = sum.add(&next, self.work);
-            sum = self.located(start, total)?;
+            summands.push(if minus { next.negate() } else { next });
+        }
+        // All at once: a sum that is added up term by term costs its length squared.
+        match summands.len() {
+            1 => Ok(summands.swap_remove(0)),
+            _ => {
+                let sum = Polynomial::sum(&summands, self.scope.field, self.work);
+                self.checked(start, sum)
+            }
         }
     }
 
@@ -118,8 +128,7 @@ impl<'a> Parser<'a, '_> {
                 factor = self.inverse(&factor, operand)?;
             }
             let result = product.multiply(&factor, self.scope.field, self.work);
-            product = self.located(start, result)?;
-            self.check_size(&product, start)?;
+            product = self.checked(start, result)?;
         }
     }
 
@@ -129,7 +138,8 @@ impl<'a> Parser<'a, '_> {
         }
         let inverse = divisor.inverse(self.scope.field, self.work);
         let inverse = self.located(start, inverse)?;
-        self.located(start, inverse.ok_or(StatementFault::DivisionByUnknown))
+        let inverse = self.located(start, inverse.ok_or(StatementFault::DivisionByUnknown))?;
+        self.checked(start, Ok(inverse))
     }
 
     fn power(&mut self) -> Result<Polynomial, Located> {
@@ -153,8 +163,7 @@ impl<'a> Parser<'a, '_> {
         let mut power = Polynomial::integer(1);
         for _ in 0..exponent {
             let next = power.multiply(&base, self.scope.field, self.work);
-            power = self.located(start, next)?;
-            self.check_size(&power, start)?;
+            power = self.checked(start, next)?;
         }
         Ok(power)
     }
@@ -215,7 +224,13 @@ impl<'a> Parser<'a, '_> {
     fn root(&mut self, start: usize) -> Result<Polynomial, Located> {
         let value = self.bracket()?;
         let field = self.scope.field;
-        let root = value.as_rational().and_then(|rational| field.square_root(&rational));
+        let root = match value.as_rational() {
+            Some(rational) => {
+                let root = field.square_root(&rational, self.work);
+                self.located(start, root)?
+            }
+            None => None,
+        };
         let root = root.map(|(factor, mask)| Polynomial::term(factor, Monomial::radical(mask)));
         root.ok_or_else(|| {
             let argument = self.text.get(start..self.at).unwrap_or("").trim_start_matches("sqrt").trim();
@@ -225,28 +240,50 @@ impl<'a> Parser<'a, '_> {
     }
 
     fn symbol(&mut self, name: &str, start: usize) -> Result<Polynomial, Located> {
+        let names = self.scope.variables.len().saturating_add(self.scope.constants.len());
+        let charged = self.work.charge_search(names);
+        self.located(start, charged)?;
         let index = self.scope.variables.iter().position(|variable| variable == name);
         if let Some(index) = index.and_then(|index| u16::try_from(index).ok()) {
             return Ok(Polynomial::variable(index));
         }
         if let Some((_, value)) = self.scope.constants.iter().find(|(constant, _)| constant == name) {
+            // Each use is a copy.
+            let charged = self.work.charge(value.bit_count().saturating_mul(8));
+            self.located(start, charged)?;
             return Ok(value.clone());
         }
         let constants = self.scope.constants.iter().map(|(constant, _)| constant);
         let mut known: Vec<&str> = self.scope.variables.iter().chain(constants).map(String::as_str).collect();
-        known.truncate(12);
+        let shown = known.len().min(12);
+        if known.len() > shown {
+            known.truncate(shown);
+            known.push("…");
+        }
         let expected =
             if known.is_empty() { "numbers only".into() } else { format!("one of {}", known.join(", ")) };
         let name = name.chars().take(limits::NAME).collect();
         self.located(start, Err(StatementFault::UnknownSymbol { name, expected }))
     }
 
-    /// Keeps numbers within what a certificate could spell.
-    fn check_size(&self, value: &Polynomial, start: usize) -> Result<(), Located> {
-        /// log₂ 10 is more than 3.
-        const BITS: u64 = 3 * 4096;
-        let long = value.terms().any(|(_, q)| q.numer().bits() > BITS || q.denom().bits() > BITS);
-        self.located(start, if long { Err(Limit::digits()) } else { Ok(()) })
+    /// A result whose numbers a certificate can spell.
+    fn checked(&self, start: usize, result: Result<Polynomial, Limit>) -> Result<Polynomial, Located> {
+        self.located(start, result.and_then(|value| check_digits(&value).map(|()| value)))
+    }
+}
+
+/// Refuses numbers of more digits than the format allows.
+pub(super) fn check_digits(value: &Polynomial) -> Result<(), Limit> {
+    // 10^4096 has 13607 bits: only numbers of that many bits need a closer look.
+    const BITS: u64 = 13_607;
+    let long = |number: &BigInt| match number.bits() {
+        bits if bits < BITS => false,
+        bits if bits > BITS => true,
+        _ => number.magnitude().to_string().len() > limits::DIGITS,
+    };
+    match value.terms().any(|(_, q)| long(q.numer()) || long(q.denom())) {
+        true => Err(Limit::digits()),
+        false => Ok(()),
     }
 }
 

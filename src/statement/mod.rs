@@ -90,6 +90,16 @@ impl Statement {
         &self.subject
     }
 
+    /// The bits of all numbers in it.
+    fn bit_count(&self) -> u64 {
+        let of_subject: Vec<&Polynomial> = match &self.subject {
+            Subject::Patch(patch) => patch.net.iter().flatten().flatten().chain([&patch.surface]).collect(),
+            Subject::System(polynomials) => polynomials.iter().collect(),
+        };
+        let all = of_subject.into_iter().chain(&self.nonzero);
+        all.fold(0, |sum, polynomial| polynomial.bit_count().saturating_add(sum))
+    }
+
     /// The unknowns followed by the Rabinowitsch variables `t[1]`, `t[2]`, …, one for each assumption.
     pub fn ring(&self) -> Ring {
         let rabinowitsch = (1..=self.nonzero.len()).map(|number| format!("t[{number}]"));

@@ -2,7 +2,7 @@
 
 use super::document::{Document, Value, array, integer, string};
 use super::error::StatementFault;
-use super::expression::{Scope, evaluate};
+use super::expression::{Scope, check_digits, evaluate};
 use super::source::Located;
 use super::{HomogeneousPoint, Patch};
 use crate::exact::{Monomial, Polynomial, Work, limits};
@@ -74,6 +74,10 @@ pub(super) fn read_patch<'a>(
         let read = |point: &Value<'a>| read_point(document, point, convention, scope, work);
         net.push(points.iter().map(read).collect::<Result<Vec<_>, _>>()?);
     }
+    let no_denominator = net.iter().flatten().all(|[.., weight]: &HomogeneousPoint| weight.is_zero());
+    if no_denominator {
+        return Err((StatementFault::NoDenominator, net_value.span()));
+    }
     Ok(Patch { bidegree, surface, net })
 }
 
@@ -133,7 +137,9 @@ fn read_point<'a>(
         match convention {
             Convention::Homogeneous => Ok(plain),
             Convention::Cartesian => {
-                plain.multiply(&weight, scope.field, work).map_err(|limit| (limit.into(), entry.span()))
+                let product = plain.multiply(&weight, scope.field, work);
+                let checked = product.and_then(|product| check_digits(&product).map(|()| product));
+                checked.map_err(|limit| (limit.into(), entry.span()))
             }
         }
     };

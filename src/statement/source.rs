@@ -21,7 +21,7 @@ pub(super) fn locate(text: &str, (fault, span): Located) -> StatementError {
     let offending = tail.chars().take(text.get(span).map_or(1, |bad| bad.chars().count())).count();
 
     let lead: Vec<char> = head.chars().rev().take(LEAD).collect();
-    let clean = |c: char| if c.is_control() { ' ' } else { c };
+    let clean = |c: char| if is_unprintable(c) { ' ' } else { c };
     let excerpt = lead.iter().rev().copied().chain(tail.chars().take(EXCERPT)).map(clean);
     StatementError {
         line: before.matches('\n').count().saturating_add(1),
@@ -31,6 +31,18 @@ pub(super) fn locate(text: &str, (fault, span): Located) -> StatementError {
         excerpt_column: lead.len(),
         fault,
     }
+}
+
+/// Control characters, and the invisible ones that reorder or hide text on a terminal.
+pub(super) fn is_unprintable(c: char) -> bool {
+    let invisible = ['\u{ad}', '\u{61c}', '\u{180e}', '\u{feff}'];
+    c.is_control()
+        || invisible.contains(&c)
+        || ('\u{200b}'..='\u{200f}').contains(&c)
+        || ('\u{2028}'..='\u{202e}').contains(&c)
+        || ('\u{2060}'..='\u{206f}').contains(&c)
+        || ('\u{fff9}'..='\u{fffb}').contains(&c)
+        || ('\u{e0000}'..='\u{e007f}').contains(&c)
 }
 
 fn floor_boundary(text: &str, at: usize) -> usize {
