@@ -42,6 +42,9 @@ pub const ENTRIES: &[Entry] = &[
     cap("cap-3x3-d4", "bicubic with the symmetry of the square", 3, 3, Interior::D4),
     cap("cap-3x3-c4", "bicubic with the rotations of the square", 3, 3, Interior::C4),
     cap("cap-3x2", "bidegree (3,2), no symmetry", 3, 2, Interior::Free),
+    cap("cap-3x3", "bicubic, no symmetry", 3, 3, Interior::Free),
+    cap("cap-4x2", "bidegree (4,2), no symmetry", 4, 2, Interior::Free),
+    cap("cap-4x4-d4", "biquartic with the symmetry of the square", 4, 4, Interior::D4),
     Entry {
         name: "octant",
         summary: "positive control: degenerate octant, biquadratic, centre unknown",

@@ -7,29 +7,45 @@ use crate::algebra::PrimeField;
 /// (column, non-zero entry), by decreasing column.
 pub(super) type SparseRow = Vec<(u32, u64)>;
 
+/// (inserted row, non-zero factor), by increasing row.
+pub(super) type Combination = Vec<(u32, u64)>;
+
 /// Rows with distinct leading columns, each a combination of inserted rows.
 pub(super) struct Echelon {
     field: PrimeField,
-    /// By leading column: the row, monic, and its combination.
-    pivots: BTreeMap<u32, (SparseRow, Combination)>,
+    /// By leading column, which row of `rows` leads there.
+    pivots: BTreeMap<u32, usize>,
+    rows: Vec<Row>,
     /// The row being reduced; all zero between calls.
     dense: Vec<u64>,
 }
 
-/// (inserted row, non-zero factor), by increasing row.
-pub(super) type Combination = Vec<(u32, u64)>;
+/// A monic row: scale · (inserted row − Σ factor · earlier row).
+struct Row {
+    entries: SparseRow,
+    inserted: u32,
+    scale: u64,
+    /// (position of the earlier row, factor).
+    subtracted: Vec<(usize, u64)>,
+}
+
+/// Inserted row = Σ factor · earlier row. What that means for inserted rows is worked out on demand.
+pub(super) struct Dependence {
+    inserted: u32,
+    subtracted: Vec<(usize, u64)>,
+}
 
 /// What became of an inserted row.
 pub(super) enum Inserted {
     /// It leads in this column, which was free.
     Pivot(u32),
-    /// It depends on rows inserted before: this combination, the row itself included, is zero.
-    Dependent(Combination),
+    /// It depends on rows inserted before.
+    Dependent(Dependence),
 }
 
 impl Echelon {
     pub(super) fn new(field: PrimeField) -> Self {
-        Echelon { field, pivots: BTreeMap::new(), dense: Vec::new() }
+        Echelon { field, pivots: BTreeMap::new(), rows: Vec::new(), dense: Vec::new() }
     }
 
     /// The leading columns, increasing.
@@ -38,8 +54,9 @@ impl Echelon {
     }
 
     /// The inserted rows that the row leading in `column` is made of.
-    pub(super) fn combination(&self, column: u32) -> &[(u32, u64)] {
-        &self.pivots[&column].1
+    pub(super) fn combination(&self, column: u32) -> Combination {
+        let row = &self.rows[self.pivots[&column]];
+        self.unfold(row.inserted, row.scale, &row.subtracted)
     }
 
     /// Reduces a row by those inserted before, from the left, until it leads in a free column.
@@ -51,40 +68,64 @@ impl Echelon {
         for &(column, value) in row {
             self.dense[column as usize] = value;
         }
-        let mut combination = BTreeMap::from([(id, 1)]);
-        // Invariant: dense = Σ combination · inserted rows, and it is zero beyond `column`.
+        let mut subtracted = Vec::new();
+        // Invariant: dense = row − Σ factor · earlier row, and it is zero beyond `column`.
         for column in (0..width).rev() {
             let value = self.dense[column];
             if value == 0 {
                 continue;
             }
-            let Some((pivot, made_of)) = self.pivots.get(&(column as u32)) else {
-                return self.store(column as u32, combination);
+            let Some(&position) = self.pivots.get(&(column as u32)) else {
+                return self.store(column as u32, id, subtracted);
             };
-            for &(at, entry) in pivot {
+            for &(at, entry) in &self.rows[position].entries {
                 let cell = &mut self.dense[at as usize];
                 *cell = self.field.subtract_product(*cell, value, entry);
             }
-            for &(other, factor) in made_of {
-                let cell = combination.entry(other).or_insert(0);
-                *cell = self.field.subtract_product(*cell, value, factor);
-            }
+            subtracted.push((position, value));
         }
-        Inserted::Dependent(combination.into_iter().filter(|&(_, factor)| factor != 0).collect())
+        Inserted::Dependent(Dependence { inserted: id, subtracted })
     }
 
-    fn store(&mut self, column: u32, combination: BTreeMap<u32, u64>) -> Inserted {
-        let inverse = self.field.inverse(self.dense[column as usize]);
-        let mut row = SparseRow::new();
+    /// The combination of inserted rows, the dependent one with factor 1, that is zero.
+    pub(super) fn relation(&self, dependence: &Dependence) -> Combination {
+        self.unfold(dependence.inserted, 1, &dependence.subtracted)
+    }
+
+    fn store(&mut self, column: u32, inserted: u32, subtracted: Vec<(usize, u64)>) -> Inserted {
+        let scale = self.field.inverse(self.dense[column as usize]);
+        let mut entries = SparseRow::new();
         for at in (0..=column).rev() {
             let value = std::mem::take(&mut self.dense[at as usize]);
             if value != 0 {
-                row.push((at, self.field.multiply(value, inverse)));
+                entries.push((at, self.field.multiply(value, scale)));
             }
         }
-        let factors = combination.into_iter().filter(|&(_, factor)| factor != 0);
-        let combination = factors.map(|(id, factor)| (id, self.field.multiply(factor, inverse))).collect();
-        self.pivots.insert(column, (row, combination));
+        self.pivots.insert(column, self.rows.len());
+        self.rows.push(Row { entries, inserted, scale, subtracted });
         Inserted::Pivot(column)
+    }
+
+    /// scale · (inserted row − Σ factor · earlier row), all the way back to inserted rows.
+    fn unfold(&self, inserted: u32, scale: u64, subtracted: &[(usize, u64)]) -> Combination {
+        let mut combination = BTreeMap::from([(inserted, scale)]);
+        let mut pending = vec![0u64; self.rows.len()];
+        for &(position, factor) in subtracted {
+            pending[position] = self.field.subtract_product(pending[position], scale, factor);
+        }
+        // A row is made of earlier ones only.
+        for position in (0..self.rows.len()).rev() {
+            let outer = pending[position];
+            if outer == 0 {
+                continue;
+            }
+            let row = &self.rows[position];
+            let factor = self.field.multiply(outer, row.scale);
+            combination.insert(row.inserted, factor);
+            for &(earlier, inner) in &row.subtracted {
+                pending[earlier] = self.field.subtract_product(pending[earlier], factor, inner);
+            }
+        }
+        combination.into_iter().filter(|&(_, factor)| factor != 0).collect()
     }
 }

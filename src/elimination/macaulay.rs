@@ -16,6 +16,9 @@ use crate::algebra::{Monomial, PrimeField, splitting_primes};
 
 /// Columns of a matrix that this engine is willing to reduce.
 const COLUMNS: usize = 8_000;
+/// Columns up to which a linear polynomial is substituted at once: the proof reads better for it. In larger
+/// matrices that would mean lifting every linear polynomial, of which 1 may not need a single one.
+const RESTART: usize = 40;
 /// Rows likewise.
 const ROWS: usize = 24_000;
 /// How many primes may mislead before the search is given up.
@@ -152,7 +155,7 @@ impl Matrix {
                 }
                 let linear: Vec<u32> =
                     fallen.iter().copied().filter(|&c| self.monomials[c as usize].degree() == 1).collect();
-                if !linear.is_empty() {
+                if !linear.is_empty() && self.monomials.len() <= RESTART {
                     return Ok(self.realize_all(&linear, derivation, control)?.map(Search::Linear));
                 }
                 if fallen.is_empty() {
@@ -238,7 +241,7 @@ impl Matrix {
 
     /// Makes the row that leads in `column` an element, from as few and as simple rows as a greedy choice finds.
     fn element_leading_in(&mut self, column: u32) -> usize {
-        let combination = self.echelon.combination(column);
+        let combination = &self.echelon.combination(column);
         // The row inserted last is the one that made this column a leading one.
         let last = combination.iter().map(|&(id, _)| id).max().expect("a row is made of rows");
         let mut others: Vec<u32> = combination.iter().map(|&(id, _)| id).filter(|&id| id != last).collect();
@@ -250,7 +253,7 @@ impl Matrix {
             above.insert(id, &self.truncated(id, column));
         }
         let factors = match above.insert(last, &self.truncated(last, column)) {
-            Inserted::Dependent(factors) => factors,
+            Inserted::Dependent(dependence) => above.relation(&dependence),
             Inserted::Pivot(_) => {
                 unreachable!("above its leading column a row is a combination of the others")
             }
