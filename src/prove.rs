@@ -16,7 +16,7 @@ pub enum Attempt {
         /// The certificate.
         certificate: Certificate,
         /// What the checker made of it.
-        theorem: Theorem,
+        theorem: Box<Theorem>,
     },
     /// Neither was established.
     Undecided(Reason),
@@ -97,7 +97,7 @@ pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, Pr
     };
     let certificate = Certificate { statement: statement.hash(), argument };
     match check_read(statement, &certificate) {
-        Ok(theorem) => Ok(Attempt::Proved { certificate, theorem }),
+        Ok(theorem) => Ok(Attempt::Proved { certificate, theorem: Box::new(theorem) }),
         Err(CheckError::Rejected(Rejection::NoDenominator)) => Ok(Attempt::Undecided(Reason::NoDenominator)),
         Err(refused) => Err(ProveError::Refused(refused)),
     }
