@@ -1,10 +1,14 @@
 //! From a statement to a certificate that the independent checker has accepted.
 
-use crate::algebra::{MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact};
+use crate::algebra::{
+    FieldElement, MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact,
+};
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::checker::{CheckError, Rejection, Theorem, check_read};
-use crate::elimination::{Control, Derivation, NamedStep, Outcome, Source, System, Undecided, eliminate};
+use crate::checker::{CheckError, Claim, Rejection, Theorem, check_read};
+use crate::elimination::{
+    Control, Derivation, NamedStep, Outcome, Source, System, Undecided, eliminate, points_in_field,
+};
 use crate::exact::{self, Limit, Work};
 use crate::statement::{Statement, Subject};
 
@@ -87,20 +91,53 @@ pub fn system_of(statement: &Statement) -> System {
 pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
     let system = system_of(statement);
     let mut derivation = Derivation::new(&system);
-    let argument = match eliminate(&mut derivation, control) {
-        Outcome::Unit(unit) => Argument::Impossible(steps(&derivation, unit)?),
-        Outcome::Point(values) => {
-            let constants = values.into_iter().take(statement.unknowns().len()).map(Polynomial::constant);
-            Argument::Exact(constants.map(|value| polynomial_to_exact(&value)).collect::<Result<_, _>>()?)
+    match eliminate(&mut derivation, control) {
+        Outcome::Unit(unit) => {
+            let argument = Argument::Impossible(steps(&derivation, unit)?);
+            checked(statement, argument).map_err(ProveError::Refused)
         }
-        Outcome::Open(undecided) => return Ok(Attempt::Undecided(Reason::Elimination(undecided))),
-    };
-    let certificate = Certificate { statement: statement.hash(), argument };
-    match check_read(statement, &certificate) {
-        Ok(theorem) => Ok(Attempt::Proved { certificate, theorem: Box::new(theorem) }),
-        Err(CheckError::Rejected(Rejection::NoDenominator)) => Ok(Attempt::Undecided(Reason::NoDenominator)),
-        Err(refused) => Err(ProveError::Refused(refused)),
+        Outcome::Point(point) => Ok(best_point(statement, vec![point])?.unwrap_or(NO_DENOMINATOR)),
+        Outcome::Open(Undecided::Consistent(closure)) => {
+            let points = match points_in_field(&system, &closure, control) {
+                Ok(points) => points,
+                Err(why) => return Ok(Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why)))),
+            };
+            let undecided = Attempt::Undecided(Reason::Elimination(Undecided::Consistent(closure)));
+            Ok(best_point(statement, points)?.unwrap_or(undecided))
+        }
+        Outcome::Open(undecided) => Ok(Attempt::Undecided(Reason::Elimination(undecided))),
     }
+}
+
+const NO_DENOMINATOR: Attempt = Attempt::Undecided(Reason::NoDenominator);
+
+/// Of several solutions the first with positive weights, or else the first; `None` if none makes a patch.
+fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<Option<Attempt>, ProveError> {
+    let mut best = None;
+    for point in points {
+        let constants = point.into_iter().take(statement.unknowns().len()).map(Polynomial::constant);
+        let values = constants.map(|value| polynomial_to_exact(&value)).collect::<Result<_, _>>()?;
+        match checked(statement, Argument::Exact(values)) {
+            Ok(attempt) => {
+                let positive = matches!(&attempt, Attempt::Proved { theorem, .. }
+                    if !matches!(theorem.claim(), Claim::Exact { weights_positive: false, .. }));
+                if positive {
+                    return Ok(Some(attempt));
+                }
+                best = best.or(Some(attempt));
+            }
+            Err(CheckError::Rejected(Rejection::NoDenominator)) => {}
+            Err(refused) => return Err(ProveError::Refused(refused)),
+        }
+    }
+    Ok(best)
+}
+
+/// The certificate with this argument, and what the checker says of it.
+fn checked(statement: &Statement, argument: Argument) -> Result<Attempt, CheckError> {
+    let certificate = Certificate { statement: statement.hash(), argument };
+    let theorem = check_read(statement, &certificate);
+    theorem.map(|theorem| Attempt::Proved { certificate, theorem: Box::new(theorem) })
 }
 
 fn steps(derivation: &Derivation<'_>, unit: Source) -> Result<Vec<Step>, Limit> {

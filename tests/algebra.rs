@@ -4,7 +4,7 @@
 use num_rational::BigRational;
 use proptest::prelude::*;
 use prove_cap::algebra::{
-    FieldElement, Integer, Monomial, MultiquadraticField, Polynomial, polynomial_from_exact,
+    FieldElement, Integer, Monomial, MultiquadraticField, Polynomial, Univariate, polynomial_from_exact,
     polynomial_to_exact, splitting_primes,
 };
 use prove_cap::exact::{self, Radicands, Ring, Work};
@@ -184,11 +184,11 @@ fn square_roots_are_found_where_they_are() {
     let field = MultiquadraticField::new(&[2, 3]);
     let rational = |n: i64, d: i64| field.rational(Integer::from(n), Integer::from(d));
     for (n, d) in [(4, 3), (2, 3), (6, 1), (1, 12), (0, 1), (49, 50)] {
-        let root = field.square_root(&rational(n, d)).unwrap();
+        let root = rational(n, d).square_root().unwrap();
         assert_eq!(&root * &root, rational(n, d));
     }
     for (n, d) in [(5, 1), (7, 3), (-4, 3)] {
-        assert_eq!(field.square_root(&rational(n, d)), None, "√({n}/{d})");
+        assert_eq!(rational(n, d).square_root(), None, "√({n}/{d})");
     }
 }
 
@@ -205,7 +205,7 @@ fn splitting_primes_split() {
     for prime in splitting_primes(field()).take(5) {
         assert_eq!(prime.modulus() % 4, 3);
         for radicand in RADICANDS {
-            let root = field().square_root(&field().integer(radicand.into())).unwrap();
+            let root = field().integer(radicand.into()).square_root().unwrap();
             let image = prime.reduce(&root).unwrap();
             assert_eq!(prime.multiply(image, image), u64::from(radicand));
         }
@@ -217,4 +217,60 @@ fn a_denominator_of_zero_is_refused() {
     let element = std::panic::catch_unwind(|| field().rational(Integer::one(), Integer::zero()));
     assert!(element.is_err());
     assert_eq!(field().zero().inverse(), None);
+}
+
+proptest! {
+    /// Squares have roots; and a root found is one.
+    #[test]
+    fn square_roots_of_squares(a in element()) {
+        let root = (&a * &a).square_root().unwrap();
+        prop_assert!(root == a || root == -&a);
+        if let Some(root) = a.square_root() {
+            prop_assert_eq!(&root * &root, a);
+        }
+    }
+
+    /// The real roots of a product of known factors, counted once each.
+    #[test]
+    fn real_roots_are_counted(roots in prop::collection::vec(element(), 0..4), twice in any::<bool>(), pairs in 0usize..2) {
+        let one = field().one();
+        let times = |f: &[FieldElement], g: &[FieldElement]| {
+            let mut product = vec![field().zero(); f.len() + g.len() - 1];
+            for (i, a) in f.iter().enumerate() {
+                for (j, b) in g.iter().enumerate() {
+                    product[i + j] = &product[i + j] + &(a * b);
+                }
+            }
+            product
+        };
+        let mut product = vec![one.clone()];
+        for root in &roots {
+            for _ in 0..if twice { 2 } else { 1 } {
+                product = times(&product, &[-root, one.clone()]);
+            }
+        }
+        for _ in 0..pairs {
+            // x² + 2 has no real root.
+            product = times(&product, &[field().integer(2), field().zero(), one.clone()]);
+        }
+        let polynomial = Univariate::new(field(), product);
+        let distinct: std::collections::HashSet<_> = roots.iter().collect();
+        prop_assert_eq!(polynomial.count_real_roots(), Some(distinct.len()));
+        prop_assert_eq!(polynomial.squarefree().degree(), distinct.len() + 2 * pairs.min(1));
+        prop_assert!(roots.iter().all(|root| polynomial.evaluate(root).is_zero()));
+        if let Some(found) = polynomial.roots_in_field() {
+            prop_assert!(found.iter().all(|root| polynomial.evaluate(root).is_zero()));
+            prop_assert_eq!(found.len(), distinct.len());
+        }
+    }
+}
+
+#[test]
+fn square_roots_that_mix_radicals() {
+    let k = MultiquadraticField::new(&[2, 3]);
+    let element = |n: [i64; 4]| k.element(n.map(Integer::from).to_vec(), Integer::one());
+    // (√2 + √3)² = 5 + 2√6, and 1 + √2 has no root in K.
+    assert_eq!(element([5, 0, 0, 2]).square_root().map(|r| &r * &r), Some(element([5, 0, 0, 2])));
+    assert_eq!(element([1, 1, 0, 0]).square_root(), None);
+    assert_eq!(element([-2, 0, 0, 0]).square_root(), None);
 }

@@ -154,7 +154,7 @@ fn zeros_are_counted_with_multiplicity() {
     assert_eq!(answer(&system("[]", "x y z", "", &katsura)), Answer::Consistent(0, Some(4)));
     let cubics = ["x^3 + y^3 - x*y - 1", "x^3 - 2*y^3 + x - y + 5"];
     assert_eq!(answer(&system("[]", "x y", "", &cubics)), Answer::Consistent(0, Some(9)));
-    assert_eq!(answer(&system("[]", "x", "", &["x^2 - 2*x + 1"])), Answer::Consistent(0, Some(2)));
+    assert_eq!(answer(&system("[]", "x", "", &["x^4 + 2*x^2 + 1"])), Answer::Consistent(0, Some(4)));
 }
 
 #[test]
@@ -167,6 +167,32 @@ fn a_determined_system_is_solved() {
     assert_eq!(answer(&statement), solved(&["2", "3"]));
     assert_eq!(answer(&system("[]", "x", "x", &["x^2 - x"])), solved(&["1"]));
     assert_eq!(answer(&system("[]", "", "", &["0"])), solved(&[]));
+}
+
+#[test]
+fn isolated_zeros_in_the_field_are_found() {
+    let solved = |values: &[&str]| Answer::Solution(values.iter().map(ToString::to_string).collect());
+    assert_eq!(answer(&system("[2]", "x", "", &["2*x^2 - 1"])), solved(&["1/2*sqrt(2)"]));
+    assert_eq!(
+        answer(&system("[2, 3]", "x", "", &["x^2 - 5 - 2*sqrt(6)", "x^4 - 10*x^2 + 1"])),
+        solved(&["sqrt(2) + sqrt(3)"])
+    );
+    assert_eq!(answer(&system("[]", "x", "", &["x^2 - 2*x + 1"])), solved(&["1"]));
+    // Two conics through four points, two of them rational and two not: x² = 1 or x² = 3.
+    let conics = ["x^2 + y^2 - 2", "x^2 - 2*y^2 + 1"];
+    assert!(matches!(answer(&system("[]", "x y", "", &conics)), Answer::Solution(_)));
+    // √3 is not in Q(√2), and x² = −1 has no root in any real field.
+    assert_eq!(answer(&system("[2]", "x", "", &["x^2 - 3"])), Answer::Consistent(0, Some(2)));
+}
+
+/// A quarter of a cylinder whose middle weight is open: of ±√2/2 the one that gives positive weights.
+#[test]
+fn of_two_nets_the_one_with_positive_weights_is_given() {
+    let text = std::fs::read_to_string("tests/cmd/session.in/cylinder.toml").unwrap();
+    let attempt = prove(&Statement::read(&text).unwrap(), &Control::default()).unwrap();
+    let Attempt::Proved { theorem, .. } = attempt else { panic!("{attempt:?}") };
+    let Claim::Exact { values, weights_positive: true, .. } = theorem.claim() else { panic!("{theorem:?}") };
+    assert_eq!(theorem.statement().ring().spell(&values[0]), "1/2*sqrt(2)");
 }
 
 #[test]

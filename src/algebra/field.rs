@@ -66,24 +66,6 @@ impl MultiquadraticField {
         assert_eq!(numerators.len(), self.degree(), "one numerator for each subset of the radicands");
         FieldElement::reduced(*self, numerators, denominator)
     }
-
-    /// √(numerator/denominator) ≥ 0 for a rational ≥ 0 whose root lies in K.
-    pub fn square_root(&self, square: &FieldElement) -> Option<FieldElement> {
-        if square.numerators[1..].iter().any(|c| !c.is_zero()) || square.numerators[0].is_negative() {
-            return None;
-        }
-        // √(a/b) = √(ab)/b, and √(ab) = s·√q with q the product of a subset.
-        let product = &square.numerators[0] * &square.denominator;
-        (0..self.degree()).find_map(|subset| {
-            let q = self.under_root(subset);
-            let root = product.exact_quotient(&q).floor_sqrt();
-            (&(&root * &root) * &q == product).then(|| {
-                let mut numerators = vec![Integer::zero(); self.degree()];
-                numerators[subset] = root;
-                FieldElement::reduced(*self, numerators, square.denominator.clone())
-            })
-        })
-    }
 }
 
 /// An element of K: Σ numerator_S √(Π S) / denominator, in lowest terms, the denominator positive.

@@ -9,6 +9,8 @@ mod integer;
 mod monomial;
 mod polynomial;
 mod prime_field;
+mod square_root;
+mod univariate;
 
 pub use convert::{polynomial_from_exact, polynomial_to_exact};
 pub use field::{FieldElement, MultiquadraticField};
@@ -16,3 +18,4 @@ pub use integer::{BACKEND, Integer};
 pub use monomial::Monomial;
 pub use polynomial::Polynomial;
 pub use prime_field::{PrimeField, splitting_primes};
+pub use univariate::Univariate;

@@ -2,8 +2,12 @@
 
 use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
+use super::eliminant::eliminant;
 use super::linear::Linear;
-use crate::algebra::{Monomial, Polynomial};
+use crate::algebra::{Monomial, Polynomial, Univariate};
+
+/// Zeros up to which eliminants are computed.
+const ELIMINANTS: usize = 32;
 
 /// A Gröbner basis (DegRevLex, after linear elimination), and what its leading monomials tell of the zeros.
 #[derive(Debug, Clone)]
@@ -19,6 +23,9 @@ pub struct Closure {
     pub dimension: usize,
     /// The number of zeros there, counted with multiplicity, where it is finite.
     pub zeros: Option<usize>,
+    /// Where it is finite and small, and the basis verified: for each variable the polynomial of least degree in it
+    /// alone that vanishes at all zeros.
+    pub eliminants: Vec<(u16, Univariate)>,
 }
 
 impl Closure {
@@ -42,7 +49,15 @@ impl Closure {
         let variables: Vec<u16> = (0..derivation.system().variables() as u16).collect();
         let dimension = dimension(&leading, &variables);
         let zeros = (dimension == 0).then(|| standard_monomials(&leading, &variables));
-        Ok(Closure { linear: linear.equations(derivation), basis, verified, dimension, zeros })
+        let mut eliminants = Vec::new();
+        if verified && zeros.is_some_and(|count| count <= ELIMINANTS) {
+            let field = derivation.system().field();
+            for variable in variables {
+                let solved = linear.equation(derivation, variable);
+                eliminants.push((variable, eliminant(variable, solved, &basis, field, control)?));
+            }
+        }
+        Ok(Closure { linear: linear.equations(derivation), basis, verified, dimension, zeros, eliminants })
     }
 }
 
@@ -69,7 +84,7 @@ fn is_groebner_basis(basis: &[Polynomial], control: &Control<'_>) -> Result<bool
 }
 
 /// The remainder of the division by several polynomials (Cox, Little, O'Shea, section 2.3).
-fn normal_form(polynomial: &Polynomial, divisors: &[Polynomial]) -> Polynomial {
+pub(super) fn normal_form(polynomial: &Polynomial, divisors: &[Polynomial]) -> Polynomial {
     let mut rest = polynomial.clone();
     let mut remainder = Polynomial::zero(polynomial.field());
     while let Some((monomial, value)) = rest.leading_term().cloned() {

@@ -182,6 +182,15 @@ impl Linear {
         self.substitutions.values().map(|&equation| derivation.polynomial(equation).clone()).collect()
     }
 
+    /// The equation that is solved for a variable.
+    pub(super) fn equation<'a>(
+        &self,
+        derivation: &'a Derivation<'_>,
+        variable: u16,
+    ) -> Option<&'a Polynomial> {
+        self.substitutions.get(&variable).map(|&equation| derivation.polynomial(equation))
+    }
+
     /// The value of every variable, if all are determined.
     pub(super) fn point(&self, derivation: &Derivation<'_>) -> Option<Vec<FieldElement>> {
         let value = |index: usize| {

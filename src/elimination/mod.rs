@@ -13,14 +13,17 @@ mod closure;
 mod control;
 mod derivation;
 mod echelon;
+mod eliminant;
 mod lift;
 mod linear;
 mod macaulay;
+mod points;
 mod system;
 
 pub use closure::Closure;
 pub use control::{Control, Interrupted, Progress};
 pub use derivation::{Derivation, DerivedStep, NamedStep, Source};
+pub use points::points_in_field;
 pub use system::System;
 
 use crate::algebra::FieldElement;

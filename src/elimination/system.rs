@@ -26,6 +26,12 @@ impl System {
         System { field, variables, generators }
     }
 
+    /// The system with one more equation, which has no name that a certificate could use.
+    pub(super) fn with_equation(&self, equation: Polynomial) -> Self {
+        let generators = self.generators.iter().cloned().chain([(Premise::Equation(0), equation)]);
+        System::new(self.field, self.variables, generators)
+    }
+
     /// K.
     pub fn field(&self) -> MultiquadraticField {
         self.field

@@ -45,7 +45,7 @@ impl GreatCircleArc {
         let middle: Vector = std::array::from_fn(|k| &(&start[k] + &end[k]) * &half);
         let scale = dot(&middle, start).inverse()?;
         let tangents_meet: Vector = std::array::from_fn(|k| &middle[k] * &scale);
-        let weight = field.square_root(&dot(&middle, &middle))?;
+        let weight = dot(&middle, &middle).square_root()?;
         Some(GreatCircleArc {
             start: start.clone(),
             end: end.clone(),
@@ -77,7 +77,7 @@ impl CubeFace {
     pub fn derive(field: MultiquadraticField) -> Option<Self> {
         let fraction = |n: i64, d: i64| field.rational(Integer::from(n), Integer::from(d));
         let sum = &fraction(1, 2) + &fraction(1, 4);
-        let side = field.square_root(&sum.inverse()?)?;
+        let side = sum.inverse()?.square_root()?;
         let plus = &side * &fraction(1, 2);
         let minus = -&plus;
         let corner = |y: &FieldElement, x: &FieldElement| [x.clone(), y.clone(), plus.clone()];

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::attempt::Files;
 use super::expansion::{Basis, coefficients};
+use crate::algebra::{self, polynomial_to_exact};
 use crate::certificate::{Argument, Step};
 use crate::checker::{Claim, Theorem};
 use crate::elimination::Undecided;
@@ -93,13 +94,34 @@ struct FilesData {
     certificate: String,
 }
 
+/// What the coordinates of finitely many zeros are roots of.
+#[derive(Debug, Serialize)]
+struct EliminantData {
+    unknown: String,
+    /// c₀, c₁, …: the coefficients of 1, x, x², ….
+    coefficients: Vec<String>,
+    real_roots: Option<usize>,
+}
+
 /// Why nothing was established.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 enum ReasonData {
-    Consistent { dimension: usize, zeros: Option<usize>, verified: bool, basis: Vec<String> },
-    TooLarge { degree: u32, rows: usize, columns: usize },
-    Interrupted { why: String },
+    Consistent {
+        dimension: usize,
+        zeros: Option<usize>,
+        verified: bool,
+        basis: Vec<String>,
+        eliminants: Vec<EliminantData>,
+    },
+    TooLarge {
+        degree: u32,
+        rows: usize,
+        columns: usize,
+    },
+    Interrupted {
+        why: String,
+    },
     NoDenominator,
 }
 
@@ -230,13 +252,25 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
         Reason::Elimination(Undecided::Consistent(closure)) => {
             let mut basis = Vec::new();
             for polynomial in closure.linear.iter().chain(&closure.basis) {
-                basis.push(statement.ring().spell(&crate::algebra::polynomial_to_exact(polynomial)?));
+                basis.push(statement.ring().spell(&polynomial_to_exact(polynomial)?));
+            }
+            let mut eliminants = Vec::new();
+            for (variable, eliminant) in &closure.eliminants {
+                let Some(unknown) = statement.unknowns().get(usize::from(*variable)) else { continue };
+                let mut coefficients = Vec::new();
+                for c in eliminant.coefficients() {
+                    let constant = polynomial_to_exact(&algebra::Polynomial::constant(c.clone()))?;
+                    coefficients.push(statement.ring().spell(&constant));
+                }
+                let real_roots = eliminant.count_real_roots();
+                eliminants.push(EliminantData { unknown: unknown.clone(), coefficients, real_roots });
             }
             ReasonData::Consistent {
                 dimension: closure.dimension,
                 zeros: closure.zeros,
                 verified: closure.verified,
                 basis,
+                eliminants,
             }
         }
     })

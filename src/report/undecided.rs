@@ -4,9 +4,10 @@ use std::fmt::Write as _;
 
 use super::attempt::LINE;
 use super::mathematics::Notation;
-use crate::elimination::Undecided;
+use crate::algebra::{Monomial, Polynomial, polynomial_to_exact};
+use crate::elimination::{Closure, Undecided};
 use crate::exact::Limit;
-use crate::prove::Reason;
+use crate::prove::{Reason, field_of};
 use crate::statement::Statement;
 
 /// Polynomials of a basis that are printed.
@@ -61,15 +62,13 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
                 ),
             };
             let _ = writeln!(text, "{evidence}, so the equations have common zeros,\n{zeros}.");
-            let _ = writeln!(
-                text,
-                "A certificate of impossibility therefore does not exist. Whether one of the zeros is real, or lies in\n{field}, was not decided.\n"
-            );
+            let _ = writeln!(text, "A certificate of impossibility therefore does not exist.\n");
+            text += &coordinates(statement, closure)?;
             let notation = Notation::new(statement.ring());
             let basis: Vec<_> = closure.linear.iter().chain(&closure.basis).collect();
             let _ = writeln!(text, "The equations are equivalent to");
             for polynomial in basis.iter().take(BASIS) {
-                let exact = crate::algebra::polynomial_to_exact(polynomial)?;
+                let exact = polynomial_to_exact(polynomial)?;
                 let _ = writeln!(text, "   {} = 0", notation.shortened(&exact, LINE));
             }
             if basis.len() > BASIS {
@@ -77,5 +76,52 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
             }
         }
     }
+    Ok(text)
+}
+
+/// The possible coordinates of finitely many zeros: for each unknown its eliminant and how many real roots it has.
+fn coordinates(statement: &Statement, closure: &Closure) -> Result<String, Limit> {
+    let field = statement.field();
+    let unknowns = statement.unknowns();
+    let of_unknowns = closure.eliminants.iter().filter_map(|(variable, eliminant)| {
+        Some((*variable, unknowns.get(usize::from(*variable))?, eliminant))
+    });
+    let mut text = String::new();
+    let (mut real, mut in_field) = (true, true);
+    for (variable, name, eliminant) in of_unknowns {
+        let terms = (0u32..).zip(eliminant.coefficients()).map(|(k, c)| {
+            let powers = if k == 0 { Vec::new() } else { vec![(variable, k)] };
+            (Monomial::from_powers(powers), c.clone())
+        });
+        let polynomial = Polynomial::from_terms(field_of(statement), terms);
+        let formula = Notation::new(statement.ring()).shortened(&polynomial_to_exact(&polynomial)?, LINE);
+        let roots = match eliminant.count_real_roots() {
+            Some(0) => {
+                real = false;
+                "no real root".to_owned()
+            }
+            Some(1) => "1 real root".to_owned(),
+            Some(count) => format!("{count} real roots"),
+            None => "real roots not counted".to_owned(),
+        };
+        let inside = match eliminant.roots_in_field() {
+            Some(roots) if roots.is_empty() => {
+                in_field = false;
+                format!(", none in {field}")
+            }
+            Some(_) => String::new(),
+            None => format!(", not searched for roots in {field}"),
+        };
+        let _ = writeln!(text, "   {name} is a root of {formula}: {roots}{inside}");
+    }
+    let conclusion = match (closure.eliminants.is_empty(), real, in_field) {
+        (true, ..) => format!("Whether one of the zeros is real, or lies in {field}, was not decided."),
+        (_, false, _) => {
+            "So no zero is real. That was computed, but this program has no certificate for it.".to_owned()
+        }
+        (_, _, false) => format!("So no zero lies in {field}; one over a larger field may be real."),
+        _ => format!("No zero in {field} was found; that there is none was not decided."),
+    };
+    let _ = writeln!(text, "{conclusion}\n");
     Ok(text)
 }
