@@ -10,7 +10,7 @@ use crate::statement::Statement;
 
 /// A statement with where it came from.
 pub(super) struct Source {
-    /// The built-in name, or the file's name without its ending.
+    /// The built-in name, or that of the file.
     pub name: String,
     /// The text of the statement file.
     pub text: String,
@@ -41,8 +41,7 @@ impl Source {
         let statement = Statement::read_bytes(&bytes, &mut Work::full())
             .map_err(|error| Failure(format!("{}:{error}", name_or_file.display())))?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
-        let name =
-            name_or_file.file_stem().map_or("statement".into(), |stem| stem.to_string_lossy().into_owned());
+        let name = name_of(name_or_file);
         Ok(Source { name, text, statement, cap: false })
     }
 
@@ -50,4 +49,11 @@ impl Source {
     pub(super) fn default_directory(&self) -> PathBuf {
         Path::new("proofs").join(&self.name)
     }
+}
+
+/// The file's name without its ending; for `NAME/statement.toml`, as this program writes it, the folder's.
+fn name_of(file: &Path) -> String {
+    let stem = file.file_stem().filter(|stem| *stem != "statement");
+    let folder = file.parent().and_then(Path::file_name);
+    stem.or(folder).map_or("statement".into(), |name| name.to_string_lossy().into_owned())
 }
