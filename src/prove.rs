@@ -5,9 +5,10 @@ use crate::algebra::{
 };
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::checker::{CheckError, Claim, Rejection, Theorem, check_read};
+use crate::checker::{CheckError, Claim, Equations, Rejection, Theorem, check_read};
 use crate::elimination::{
-    Control, Derivation, NamedStep, Outcome, Source, System, Undecided, eliminate, points_in_field,
+    Control, Derivation, Interrupted, NamedStep, Outcome, Source, System, Undecided, eliminate,
+    points_in_field,
 };
 use crate::exact::{self, Limit, Work};
 use crate::statement::{Statement, Subject};
@@ -42,6 +43,9 @@ pub enum ProveError {
     /// The certificate would exceed what the format allows.
     #[error("the certificate does not fit its format: {0}")]
     Limit(#[from] Limit),
+    /// The checker could not even derive the equations, whatever the certificate.
+    #[error("too large for the checker, which would have to derive the equations: {0}")]
+    TooLarge(Limit),
     /// The independent checker refused what the engine found: a defect of this program.
     #[error("the independent checker refused the certificate: {0}")]
     Refused(CheckError),
@@ -89,6 +93,16 @@ pub fn system_of(statement: &Statement) -> System {
 /// # Errors
 /// [`ProveError`] where the result cannot be written down, or where the checker disagrees.
 pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
+    // The prover has no limits of its own; what the checker cannot derive is not worth proving.
+    Equations::of(statement, &mut Work::full()).map_err(ProveError::TooLarge)?;
+    control.check().map_or_else(|why| Ok(interrupted(why)), |()| search(statement, control))
+}
+
+fn interrupted(why: Interrupted) -> Attempt {
+    Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why)))
+}
+
+fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
     let system = system_of(statement);
     let mut derivation = Derivation::new(&system);
     match eliminate(&mut derivation, control) {
@@ -100,7 +114,7 @@ pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, Pr
         Outcome::Open(Undecided::Consistent(closure)) => {
             let points = match points_in_field(&system, &closure, control) {
                 Ok(points) => points,
-                Err(why) => return Ok(Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why)))),
+                Err(why) => return Ok(interrupted(why)),
             };
             let undecided = Attempt::Undecided(Reason::Elimination(Undecided::Consistent(closure)));
             Ok(best_point(statement, points)?.unwrap_or(undecided))

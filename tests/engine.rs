@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use prove_cap::checker::Claim;
 use prove_cap::elimination::{Control, Interrupted, Undecided};
-use prove_cap::prove::{Attempt, Reason, prove};
+use prove_cap::prove::{Attempt, ProveError, Reason, prove};
 use prove_cap::statement::Statement;
 
 fn system(radicands: &str, unknowns: &str, nonzero: &str, polynomials: &[&str]) -> Statement {
@@ -208,6 +208,20 @@ fn a_patch_without_a_denominator_is_not_exact() {
     let text = std::fs::read_to_string("tests/reject/certificate/NoDenominator.toml").unwrap();
     let attempt = prove(&Statement::read(&text).unwrap(), &Control::default()).unwrap();
     assert!(!matches!(attempt, Attempt::Proved { .. }), "{attempt:?}");
+}
+
+/// A statement that the checker cannot expand is refused before the prover, which has no limits, starts on it.
+#[test]
+fn what_the_checker_cannot_expand_is_not_attempted() {
+    let point = |i: usize, j: usize| format!("[\"{i}\", \"{j}\", \"{}\", \"1\"]", i * j + 1);
+    let row = |i: usize| format!("[{}]", (0..33).map(|j| point(i, j)).collect::<Vec<_>>().join(", "));
+    let net = (0..33).map(row).collect::<Vec<_>>().join(",\n");
+    let text = format!(
+        "title = \"large\"\nradicands = []\nunknowns = []\nconvention = \"homogeneous\"\nbidegree = [32, 32]\n\
+         surface = \"X^8 + Y^8 + Z^8 - W^8\"\nnet = [{net}]\n"
+    );
+    let error = prove(&Statement::read(&text).unwrap(), &Control::default()).unwrap_err();
+    assert!(matches!(error, ProveError::TooLarge(_)), "{error}");
 }
 
 #[test]
