@@ -86,7 +86,8 @@ impl Cap {
             (Interior::C4, _) => "interior with the rotations of the square",
             (Interior::D4, _) => "interior with the symmetry of the square",
         };
-        format!("Spherical cap over a cube face, bidegree ({m},{n}), {interior}")
+        let edges = if self.corner_weight { "" } else { ", standard edges" };
+        format!("Spherical cap over a cube face, bidegree ({m},{n}), {interior}{edges}")
     }
 
     fn remark(&self) -> &'static str {

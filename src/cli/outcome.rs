@@ -44,16 +44,23 @@ impl Outcome {
 
 /// Prints what a command came to and turns it into the exit status.
 pub fn finish(result: Result<Outcome, Failure>) -> ExitCode {
-    // A reader that closes the pipe early has seen enough: not an error, and no reason to change the status.
-    match result {
-        Ok(outcome) => {
-            let _ = std::io::stdout().lock().write_all(outcome.text.as_bytes());
-            match outcome.status {
-                Status::Established => ExitCode::SUCCESS,
-                Status::Wrong => ExitCode::from(1),
-                Status::Undecided => ExitCode::from(3),
+    let printed = result.and_then(|outcome| {
+        let mut stdout = std::io::stdout().lock();
+        let written = stdout.write_all(outcome.text.as_bytes()).and_then(|()| stdout.flush());
+        match written {
+            // A reader that closes the pipe early has seen enough; any other loss is an error.
+            Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+                Err(Failure(format!("the result cannot be written: {error}")))
             }
+            _ => Ok(outcome),
         }
+    });
+    match printed {
+        Ok(outcome) => match outcome.status {
+            Status::Established => ExitCode::SUCCESS,
+            Status::Wrong => ExitCode::from(1),
+            Status::Undecided => ExitCode::from(3),
+        },
         Err(Failure(message)) => {
             let _ = writeln!(std::io::stderr().lock(), "ERROR: {}", message.trim_end());
             ExitCode::from(2)

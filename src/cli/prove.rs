@@ -11,8 +11,10 @@ use super::check::examine;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
 use crate::elimination::{Control, Progress};
+use crate::exact::Work;
 use crate::prove::{Attempt, prove};
 use crate::report::{Files, describe, json};
+use crate::statement::Statement;
 
 static CANCELLED: AtomicBool = AtomicBool::new(false);
 
@@ -39,7 +41,10 @@ pub(super) fn run(
         let _ = write!(std::io::stderr().lock(), "\r\x1b[K");
     }
     let attempt = attempt.map_err(Failure::of)?;
-    let directory = directory.map_or_else(|| source.default_directory(), Path::to_path_buf);
+    let directory = match directory {
+        Some(directory) => directory.to_path_buf(),
+        None => vacant(source.default_directory(), &source.statement)?,
+    };
     let files = match &attempt {
         Attempt::Proved { certificate, .. } => {
             Some(write_and_check(&directory, &source.text, &certificate.write(&source.statement.ring()))?)
@@ -57,6 +62,19 @@ pub(super) fn run(
     };
     let status = if files.is_some() { Status::Established } else { Status::Undecided };
     Ok(Outcome { text, status })
+}
+
+/// A directory that the user has not named must not hold the proof of something else.
+fn vacant(directory: PathBuf, statement: &Statement) -> Result<PathBuf, Failure> {
+    let present = directory.join("statement.toml");
+    let other =
+        fs::read(&present).ok().and_then(|bytes| Statement::read_bytes(&bytes, &mut Work::full()).ok());
+    match other {
+        Some(other) if other.hash() != statement.hash() => {
+            Err(Failure(format!("{} holds another statement; name a directory with -o", present.display())))
+        }
+        _ => Ok(directory),
+    }
 }
 
 /// Writes both files and lets the independent checker judge the bytes that are on disk.

@@ -82,6 +82,10 @@ fn run(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Result<Outcome
         match Macaulay::new(derivation, &rest).search(derivation, control)? {
             Search::Unit(unit) => return Ok(Outcome::Unit(unit)),
             Search::Linear(found) => equations.extend(found),
+            // In large matrices linear polynomials were not substituted when they turned up.
+            Search::Closed(basis) if basis.iter().any(|&f| derivation.polynomial(f).degree() == Some(1)) => {
+                equations.extend(basis);
+            }
             Search::Closed(basis) => {
                 let closure = Closure::of(derivation, &linear, &basis, control)?;
                 return Ok(Outcome::Open(Undecided::Consistent(closure)));

@@ -78,20 +78,33 @@ impl Notation {
         }
     }
 
-    /// The polynomial if it is short, otherwise its beginning and its length.
+    /// The polynomial if it is short, otherwise its first terms and how many there are.
     pub fn shortened(&self, polynomial: &Polynomial, characters: usize) -> String {
-        shorten(self.polynomial(polynomial), characters, polynomial.term_count())
+        shorten(self.polynomial(polynomial), characters)
     }
 }
 
-/// Cuts a long formula at a term.
-pub(super) fn shorten(text: String, characters: usize, terms: usize) -> String {
+/// Cuts a long formula between two of its terms, never inside a number or a bracket.
+pub(super) fn shorten(text: String, characters: usize) -> String {
     if text.chars().count() <= characters {
         return text;
     }
-    let start: String = text.chars().take(characters).collect();
-    let cut = start.rfind(" + ").into_iter().chain(start.rfind(" − ")).max().unwrap_or(start.len());
-    format!("{} + … ({terms} terms in all)", &start[..cut])
+    let (mut depth, mut terms, mut cut) = (0i32, 1, 0);
+    for (count, (at, c)) in text.char_indices().enumerate() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            ' ' if depth == 0 && (text[at..].starts_with(" + ") || text[at..].starts_with(" − ")) => {
+                terms += 1;
+                cut = if count <= characters { at } else { cut };
+            }
+            _ => {}
+        }
+    }
+    match cut {
+        0 => format!("[{} characters, {terms} terms]", text.chars().count()),
+        _ => format!("{} + … [{terms} terms in all]", &text[..cut]),
+    }
 }
 
 fn sum_of_roots(sum: &[(BigInt, BigRational)]) -> String {

@@ -208,6 +208,7 @@ fn contradiction(
         .map(|(index, value)| value.clone().unwrap_or_else(|| Polynomial::variable(index)))
         .collect();
     let value = polynomial.substitute(&at, statement.field(), &mut work).ok()?;
+    let when = if polynomial.is_constant() { "Identically" } else { "With these values" };
     (value.is_constant() && !value.is_zero())
-        .then(|| format!("   With these values {equation} = {}, not 0:\n", notation.polynomial(&value)))
+        .then(|| format!("   {when} {equation} = {}, not 0:\n", notation.polynomial(&value)))
 }
