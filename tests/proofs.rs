@@ -7,7 +7,7 @@ use std::path::Path;
 use proptest::prelude::*;
 use prove_cap::catalogue::{self, ENTRIES};
 use prove_cap::certificate::{Argument, Certificate, Premise};
-use prove_cap::checker::{CheckError, Claim, check, check_read};
+use prove_cap::checker::{CheckError, Claim, Rejection, check, check_read};
 use prove_cap::elimination::Control;
 use prove_cap::exact::{Polynomial, Radicands, Work};
 use prove_cap::prove::{Attempt, prove};
@@ -199,6 +199,28 @@ fn an_exact_claim_with_a_changed_value_is_refused() {
             let result = check_read(&statement, &forged);
             assert!(matches!(result, Err(CheckError::Rejected(_))), "{name}, value {k}: {result:?}");
         }
+    }
+}
+
+/// One wrong sign in Cobb's net, at each of its entries in turn, and a coefficient that does not vanish is named.
+#[test]
+fn a_flipped_sign_in_cobbs_net_is_found() {
+    let text = committed("cobb", "statement.toml");
+    let start = text.find("net = [").unwrap();
+    let quotes: Vec<usize> = text[start..].match_indices('"').map(|(at, _)| start + at).collect();
+    for pair in quotes.chunks(2).step_by(7) {
+        let entry = &text[pair[0] + 1..pair[1]];
+        if entry == "0" {
+            continue;
+        }
+        let flipped = format!("{}\"-({entry})\"{}", &text[..pair[0]], &text[pair[1] + 1..]);
+        let statement = Statement::read(&flipped).unwrap();
+        let claim = Certificate { statement: statement.hash(), argument: Argument::Exact(Vec::new()) };
+        let result = check_read(&statement, &claim);
+        assert!(
+            matches!(result, Err(CheckError::Rejected(Rejection::NotAZero { .. }))),
+            "{entry}: {result:?}"
+        );
     }
 }
 
