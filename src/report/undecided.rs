@@ -39,7 +39,7 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
         Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => {
             let _ = writeln!(
                 text,
-                "1 is no combination of multiples of the equations up to degree {degree}. The next matrix would have\n{rows} rows and {columns} columns, more than this engine reduces."
+                "Up to degree {degree} no combination of multiples of the equations is 1. The next matrix would have\n{columns} columns and {rows} rows or more: that is beyond this engine."
             );
         }
         Reason::Elimination(Undecided::Interrupted(why)) => {
@@ -66,7 +66,13 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
             text += &coordinates(statement, closure)?;
             let notation = Notation::new(statement.ring());
             let basis: Vec<_> = closure.linear.iter().chain(&closure.basis).collect();
-            let _ = writeln!(text, "The equations are equivalent to");
+            let heading = match basis.as_slice() {
+                [] => {
+                    "The equations hold for all values of the unknowns: give them values to have the result verified."
+                }
+                _ => "The equations are equivalent to",
+            };
+            let _ = writeln!(text, "{heading}");
             for polynomial in basis.iter().take(BASIS) {
                 let exact = polynomial_to_exact(polynomial)?;
                 let _ = writeln!(text, "   {} = 0", notation.shortened(&exact, LINE));
