@@ -63,7 +63,10 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
             };
             let _ = writeln!(text, "{evidence}, so the equations have common zeros,\n{zeros}.");
             let _ = writeln!(text, "A certificate of impossibility therefore does not exist.\n");
-            text += &coordinates(statement, closure)?;
+            let everywhere = closure.linear.is_empty() && closure.basis.is_empty();
+            if !everywhere {
+                text += &coordinates(statement, closure)?;
+            }
             let notation = Notation::new(statement.ring());
             let basis: Vec<_> = closure.linear.iter().chain(&closure.basis).collect();
             let heading = match basis.as_slice() {
