@@ -51,6 +51,7 @@ fn the_format_page_states_the_limits_in_force() {
         ("terms of a polynomial", limits::TERMS as u64),
         ("powers of variables in all terms of a polynomial", limits::POWERS as u64),
         ("bits of a number on the way to a result (a common denominator, a product)", limits::BITS),
+        ("bits of all numbers of one sum", limits::SUM_BITS),
         ("bits of all numbers of a statement", limits::STATEMENT_BITS),
         ("total degree of a power product, and any exponent", limits::DEGREE.into()),
         ("unknowns", limits::UNKNOWNS as u64),

@@ -47,7 +47,11 @@ pub fn check(statement: &[u8], certificate: &[u8]) -> Result<Theorem, CheckError
 
 /// Checks a certificate against a statement, both read already.
 pub fn check_read(statement: &Statement, certificate: &Certificate) -> Result<Theorem, CheckError> {
-    examine(statement, certificate, &mut Work::full())
+    // What was built in memory need not be well formed; what the reader accepts is.
+    let (ring, mut work) = (statement.ring(), Work::full());
+    let text = certificate.write(&ring);
+    let read = Certificate::read(text.as_bytes(), &ring, statement.unknowns().len(), &mut work)?;
+    examine(statement, &read, &mut work)
 }
 
 fn examine(statement: &Statement, certificate: &Certificate, work: &mut Work) -> Result<Theorem, CheckError> {

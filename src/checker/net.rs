@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::equations::Equations;
 use super::error::Rejection;
-use super::replay::shortened;
+use super::replay::shown;
 use super::theorem::{Claim, Theorem};
 use crate::certificate::Premise;
 use crate::exact::{Limit, Polynomial, Work, sign};
@@ -43,7 +43,7 @@ pub(super) fn verify(
     for (name, equation) in equalities {
         let value = equation.substitute(values, statement.field(), work)?;
         if !value.is_zero() {
-            let actual = shortened(statement.ring().spell(&value));
+            let actual = shown(&statement.ring(), &value);
             return Err(Rejection::NotAZero { equation: name, actual }.into());
         }
     }

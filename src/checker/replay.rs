@@ -6,7 +6,7 @@ use super::equations::Equations;
 use super::error::{CheckError, Rejection};
 use super::theorem::{Claim, Theorem};
 use crate::certificate::{Premise, Step};
-use crate::exact::{Polynomial, Work, combination};
+use crate::exact::{Polynomial, Ring, Work, combination};
 use crate::statement::Statement;
 
 pub(super) fn replay(
@@ -33,8 +33,7 @@ pub(super) fn replay(
         let limited = |limit| CheckError::Replay { step: number, limit };
         let actual = combination(&pairs, statement.field(), work).map_err(limited)?;
         if actual != step.conclusion {
-            let (expected, actual) =
-                (shortened(ring.spell(&step.conclusion)), shortened(ring.spell(&actual)));
+            let (expected, actual) = (shown(&ring, &step.conclusion), shown(&ring, &actual));
             return Err(Rejection::WrongConclusion { step: number, expected, actual }.into());
         }
         if actual.is_zero() {
@@ -52,7 +51,7 @@ pub(super) fn replay(
         return Err(Rejection::NoSteps.into());
     };
     if !last.conclusion.is_one() {
-        let actual = shortened(ring.spell(&last.conclusion));
+        let actual = shown(&ring, &last.conclusion);
         return Err(Rejection::LastConclusion { step: steps.len(), actual }.into());
     }
     // The last step needs no user.
@@ -98,9 +97,13 @@ fn find<'a>(
     }
 }
 
-/// A polynomial for a message: enough of it to see the difference.
-pub(super) fn shortened(text: String) -> String {
+/// A polynomial for a message: enough of it to see the difference, and never long to spell.
+pub(super) fn shown(ring: &Ring, polynomial: &Polynomial) -> String {
     const SHOWN: usize = 400;
+    if polynomial.term_count() > 1000 || polynomial.bit_count() > 100_000 {
+        return format!("a polynomial of {} terms", polynomial.term_count());
+    }
+    let text = ring.spell(polynomial);
     match text.get(..SHOWN) {
         Some(start) => format!("{start}… ({} characters)", text.len()),
         None => text,

@@ -39,7 +39,7 @@ pub fn combination(
     }
 
     let mut sum: BTreeMap<Monomial, BigInt> = BTreeMap::new();
-    let mut powers = 0usize;
+    let (mut powers, mut bits) = (0usize, 0u64);
     for ((a, b), (left, right, product)) in pairs.iter().zip(&denominators) {
         work.charge_product(left, &denominator)?;
         let factor = left * (&denominator / product);
@@ -52,11 +52,16 @@ pub fn combination(
                     value *= field.under_root(met);
                 }
                 let length = monomial.powers().len();
+                let size = value.bits();
                 let cell = sum.entry(monomial).or_insert_with(|| {
                     powers = powers.saturating_add(length);
+                    bits = bits.saturating_add(size);
                     BigInt::ZERO
                 });
                 *cell += value;
+                if bits > limits::SUM_BITS {
+                    return Err(Limit::new("bits in the numbers of a sum", limits::SUM_BITS));
+                }
                 if powers > limits::POWERS {
                     return Err(Limit::new("powers of variables in a polynomial", 10_000_000));
                 }

@@ -18,6 +18,8 @@ pub const TERMS: usize = 1_000_000;
 pub const POWERS: usize = 10_000_000;
 /// Bits of a number on the way to a result: a common denominator, a product before it is reduced.
 pub const BITS: u64 = 1 << 17;
+/// Bits of all numbers of one sum before it is reduced.
+pub const SUM_BITS: u64 = 1 << 31;
 /// Bits of all numbers of a statement together.
 pub const STATEMENT_BITS: u64 = 1 << 27;
 /// Total degree of a power product, and any one exponent.

@@ -8,6 +8,7 @@ use num_bigint::BigInt;
 
 use super::limits;
 use super::monomial::Monomial;
+use super::polynomial::Polynomial;
 
 /// A limit that a file ran into: what was limited and at what. Never a verdict on the file's claim.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -89,6 +90,13 @@ impl Work {
         let right = count(powers.1).saturating_mul(count(terms.0));
         let powers = left.saturating_add(right).saturating_mul(Work::POWER);
         self.charge(pairs.saturating_mul(Work::TERM).saturating_add(powers))
+    }
+
+    /// Keeping, or copying, a polynomial: as much as makes the memory of what is kept bounded by the allowance.
+    pub fn charge_copy(&mut self, polynomial: &Polynomial) -> Result<(), Limit> {
+        let terms = count(polynomial.term_count()).saturating_mul(1500);
+        let powers = count(polynomial.power_count()).saturating_mul(100);
+        self.charge(terms.saturating_add(powers).saturating_add(polynomial.bit_count().saturating_mul(16)))
     }
 
     /// One product of `a` and `b`.

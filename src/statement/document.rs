@@ -238,7 +238,9 @@ impl<'a> Document<'a> {
             _ => return Err(wrong_type(value, "an expression in quotes, or an integer")),
         };
         let offset = self.start_of_contents(&span, &text);
-        evaluate(&text, scope, work).map_err(|located| moved(located, &span, offset))
+        let value = evaluate(&text, scope, work).map_err(|located| moved(located, &span, offset))?;
+        work.charge_copy(&value).map_err(|limit| (limit.into(), span))?;
+        Ok(value)
     }
 
     /// Where a string's contents start, if it is spelled without escapes.

@@ -9,6 +9,7 @@
 //! A decimal is the exact rational it spells. There is no implicit product; one divides by constants only.
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -93,14 +94,14 @@ impl<'a> Parser<'a, '_> {
             self.take('+');
         }
         let first = self.product()?;
-        let mut summands = vec![if negative { first.negate() } else { first }];
+        let mut summands = vec![self.signed(negative, first, start)?];
         loop {
             let minus = self.take('-');
             if !minus && !self.take('+') {
                 break;
             }
             let next = self.product()?;
-            summands.push(if minus { next.negate() } else { next });
+            summands.push(self.signed(minus, next, start)?);
         }
         // All at once: a sum that is added up term by term costs its length squared.
         match summands.len() {
@@ -110,6 +111,16 @@ impl<'a> Parser<'a, '_> {
                 self.checked(start, sum)
             }
         }
+    }
+
+    /// The value, or its negative, which is a copy to be paid for.
+    fn signed(&mut self, negative: bool, value: Polynomial, start: usize) -> Result<Polynomial, Located> {
+        if !negative {
+            return Ok(value);
+        }
+        let charged = self.work.charge_copy(&value);
+        self.located(start, charged)?;
+        Ok(value.negate())
     }
 
     fn product(&mut self) -> Result<Polynomial, Located> {
@@ -272,6 +283,12 @@ impl<'a> Parser<'a, '_> {
     }
 }
 
+/// 10^4096.
+fn first_too_long() -> &'static BigInt {
+    static POWER: OnceLock<BigInt> = OnceLock::new();
+    POWER.get_or_init(|| (0..limits::DIGITS).fold(BigInt::one(), |power, _| power * BigInt::from(10)))
+}
+
 /// Refuses numbers of more digits than the format allows.
 pub(super) fn check_digits(value: &Polynomial) -> Result<(), Limit> {
     // 10^4096 has 13607 bits: only numbers of that many bits need a closer look.
@@ -279,7 +296,7 @@ pub(super) fn check_digits(value: &Polynomial) -> Result<(), Limit> {
     let long = |number: &BigInt| match number.bits() {
         bits if bits < BITS => false,
         bits if bits > BITS => true,
-        _ => number.magnitude().to_string().len() > limits::DIGITS,
+        _ => number.magnitude() >= first_too_long().magnitude(),
     };
     match value.terms().any(|(_, q)| long(q.numer()) || long(q.denom())) {
         true => Err(Limit::digits()),
