@@ -113,3 +113,25 @@ fn solutions() {
         assert!(right || matches!(result, Err(CheckError::Rejected(_))));
     }
 }
+
+/// A certificate built in memory is held to what the reader accepts: constants for values, roots of the field.
+#[test]
+fn ill_formed_certificates_in_memory_prove_nothing() {
+    let text = "title = \"t\"\nradicands = []\nunknowns = [\"x\", \"y\"]\nnonzero = [\"x - y - 1\"]\npolynomials = [\"x^2 - y\"]\n";
+    let statement = Statement::read(text).unwrap();
+    let refused = |argument: Argument| {
+        let result = check_read(&statement, &Certificate { statement: statement.hash(), argument });
+        assert!(matches!(result, Err(CheckError::Certificate(_))), "{result:?}");
+    };
+    let x = Polynomial::variable(0);
+    let mut work = prove_cap::exact::Work::full();
+    let square = x.multiply(&x, statement.field(), &mut work).unwrap();
+    refused(Argument::Exact(vec![x.clone(), square]));
+    refused(Argument::Exact(vec![Polynomial::integer(1)]));
+    let root = Polynomial::term(
+        num_rational::BigRational::from_integer(1.into()),
+        prove_cap::exact::Monomial::radical(2),
+    );
+    let step = Step { combination: vec![(Premise::Equation(1), root)], conclusion: x };
+    refused(Argument::Impossible(vec![step]));
+}
