@@ -17,11 +17,11 @@ pub enum Source {
 
 /// Σ multiplier · source = conclusion.
 #[derive(Debug, Clone)]
-pub struct DerivedStep {
+struct DerivedStep {
     /// Sources with their multipliers.
-    pub combination: Vec<(Source, Polynomial)>,
+    combination: Vec<(Source, Polynomial)>,
     /// The sum.
-    pub conclusion: Polynomial,
+    conclusion: Polynomial,
 }
 
 /// A step whose premises are named as certificates name them.

@@ -22,7 +22,7 @@ mod system;
 
 pub use closure::Closure;
 pub use control::{Control, Interrupted, Progress};
-pub use derivation::{Derivation, DerivedStep, NamedStep, Source};
+pub use derivation::{Derivation, NamedStep, Source};
 pub use points::points_in_field;
 pub use system::System;
 
