@@ -2,7 +2,8 @@
 //!
 //! `cargo run --example expand_a_patch`
 
-use prove_cap::report::{Basis, Notation, coefficients};
+use prove_cap::expand::{Basis, coefficients};
+use prove_cap::report::Notation;
 use prove_cap::statement::Statement;
 
 const QUARTER_CYLINDER: &str = r#"

@@ -39,6 +39,12 @@ pub mod catalogue;
 #[cfg(feature = "prover")]
 pub mod prove;
 #[cfg(feature = "prover")]
+pub mod expand;
+#[cfg(feature = "prover")]
+pub mod listing;
+#[cfg(feature = "prover")]
+pub mod audit;
+#[cfg(feature = "prover")]
 pub mod report;
 
 pub mod cli;

@@ -171,7 +171,7 @@ fn an_arc_whose_weight_is_outside_the_field_is_refused() {
 #[test]
 fn the_papers_symmetries_hold() {
     let statement = Statement::read(&catalogue::find("cap-2x2").unwrap().statement()).unwrap();
-    let list = report::coefficients(&statement, report::Basis::Monomial).unwrap().unwrap();
+    let list = expand::coefficients(&statement, expand::Basis::Monomial).unwrap().unwrap();
     let a = |k: usize| {
         let name = format!("a{k}");
         polynomial_from_exact(field_of(&statement), &list.iter().find(|c| c.name == name).unwrap().value)

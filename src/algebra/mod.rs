@@ -9,6 +9,7 @@ mod integer;
 mod monomial;
 mod polynomial;
 mod prime_field;
+mod sign;
 mod square_root;
 mod univariate;
 
@@ -18,4 +19,5 @@ pub use integer::{BACKEND, Integer};
 pub use monomial::Monomial;
 pub use polynomial::Polynomial;
 pub use prime_field::{PrimeField, splitting_primes};
+pub use sign::Sign;
 pub use univariate::Univariate;

@@ -1,11 +1,7 @@
 //! Polynomials in one variable over K: common divisors, roots in K, number of real roots.
 
-use std::cmp::Ordering;
-
-use super::convert::polynomial_to_exact;
 use super::field::{FieldElement, MultiquadraticField};
-use super::polynomial::Polynomial;
-use crate::exact::{self, Radicands, Work};
+use super::sign::Sign;
 
 /// c₀ + c₁x + … + cₙxⁿ with cₙ ≠ 0, or no coefficient at all for 0.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -99,7 +95,7 @@ impl Univariate {
             let signs = chain.iter().filter_map(|p| Some((p.degree(), p.coefficients.last()?)));
             signs
                 .map(|(degree, c)| {
-                    let positive = sign(c)? == Ordering::Greater;
+                    let positive = c.sign()? == Sign::Positive;
                     Some(positive != (at_minus_infinity && degree % 2 == 1))
                 })
                 .collect::<Option<Vec<bool>>>()
@@ -107,11 +103,4 @@ impl Univariate {
         let variations = |signs: Vec<bool>| signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
         Some(variations(leading(true)?) - variations(leading(false)?))
     }
-}
-
-/// The sign of a non-zero element.
-fn sign(value: &FieldElement) -> Option<Ordering> {
-    let field = Radicands::new(value.field().radicands().to_vec()).ok()?;
-    let constant = polynomial_to_exact(&Polynomial::constant(value.clone())).ok()?;
-    exact::sign(&constant, &field, &mut Work::full()).ok()?
 }

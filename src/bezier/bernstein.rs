@@ -38,6 +38,11 @@ impl BernsteinForm {
         BernsteinForm { field, bidegree: (0, 0), scaled: vec![Polynomial::constant(value)] }
     }
 
+    /// K.
+    pub fn field(&self) -> MultiquadraticField {
+        self.field
+    }
+
     /// (m, n).
     pub fn bidegree(&self) -> (u32, u32) {
         self.bidegree

@@ -6,8 +6,9 @@ use std::time::Duration;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::outcome::{Failure, Outcome, Status};
+use super::audit::{self, AuditOptions};
 use super::{check, expand, list, prove};
-use crate::report::Basis;
+use crate::expand::Basis;
 
 /// The statement that is proved when nothing else is asked for: the paper's theorem.
 const DEFAULT: &str = "cap-2x2";
@@ -20,7 +21,7 @@ const DEFAULT: &str = "cap-2x2";
 #[derive(Debug, Parser)]
 #[command(version, max_term_width = 110, args_conflicts_with_subcommands = true)]
 #[command(
-    after_help = "Exit status and first word: 0 VERIFIED, PROVED, EXACT; 1 REJECTED; 2 ERROR; 3 UNDECIDED."
+    after_help = "Exit status and first word: 0 VERIFIED, PROVED, EXACT, AGREES; 1 REJECTED, DIFFERS; 2 ERROR; 3 UNDECIDED."
 )]
 struct CommandLine {
     #[command(subcommand)]
@@ -73,6 +74,8 @@ enum Command {
         #[arg(long, value_enum, default_value_t = BasisName::Bernstein)]
         basis: BasisName,
     },
+    /// Hold a printed coefficient listing, or a printed control net, against the truth.
+    Audit(AuditOptions),
     /// List the built-in statements.
     List,
 }
@@ -84,6 +87,8 @@ pub(super) enum Format {
     Text,
     /// As data; polynomials and numbers are strings in the canonical spelling.
     Json,
+    /// As a LaTeX document (audit only).
+    Latex,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -116,6 +121,9 @@ pub fn run() -> Result<Outcome, Failure> {
         }
     };
     let format = line.format;
+    if format == Format::Latex && !matches!(line.command, Some(Command::Audit(_))) {
+        return Err(Failure("--format latex is for audit; the other commands have text and json".to_owned()));
+    }
     let prove = |source: Option<PathBuf>, options: ProveOptions| {
         let source = source.unwrap_or_else(|| PathBuf::from(DEFAULT));
         prove::run(&source, options.output.as_deref(), options.timeout, format)
@@ -124,7 +132,7 @@ pub fn run() -> Result<Outcome, Failure> {
         None => prove(None, line.options),
         Some(Command::Prove { source, options }) => prove(source, options),
         Some(Command::Check { statement, certificate }) => match format {
-            Format::Text => check::run(&statement, &certificate),
+            Format::Text | Format::Latex => check::run(&statement, &certificate),
             Format::Json => check_as_data(&statement, &certificate),
         },
         Some(Command::Canonical { statement }) => check::canonical(&statement),
@@ -135,6 +143,7 @@ pub fn run() -> Result<Outcome, Failure> {
             };
             expand::run(&source, basis, format)
         }
+        Some(Command::Audit(options)) => audit::run(&options, format),
         Some(Command::List) => list::run(format),
     }
 }

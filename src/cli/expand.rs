@@ -5,12 +5,13 @@ use std::path::Path;
 use super::arguments::{Format, to_json};
 use super::outcome::{Failure, Outcome};
 use super::source::Source;
-use crate::report::{Basis, describe_expansion, json};
+use crate::expand::Basis;
+use crate::report::{describe_expansion, json};
 
 pub(super) fn run(name_or_file: &Path, basis: Basis, format: Format) -> Result<Outcome, Failure> {
     let source = Source::find(name_or_file)?;
     match format {
-        Format::Text => describe_expansion(&source.statement, basis).map_err(Failure::of).map(Outcome::plain),
+        Format::Text | Format::Latex => describe_expansion(&source.statement, basis).map_err(Failure::of).map(Outcome::plain),
         Format::Json => {
             let data = serde_json::json!({
                 "name": source.name,

@@ -24,7 +24,7 @@ pub(super) fn run(format: Format) -> Result<Outcome, Failure> {
         }));
     }
     match format {
-        Format::Text => Ok(Outcome::plain(text)),
+        Format::Text | Format::Latex => Ok(Outcome::plain(text)),
         Format::Json => super::arguments::to_json(&data).map(Outcome::plain),
     }
 }

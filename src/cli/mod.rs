@@ -5,6 +5,8 @@ pub mod outcome;
 
 #[cfg(feature = "prover")]
 mod arguments;
+#[cfg(feature = "prover")]
+mod audit;
 #[cfg(not(feature = "prover"))]
 mod checker_only;
 #[cfg(feature = "prover")]

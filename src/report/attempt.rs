@@ -79,15 +79,21 @@ pub fn describe(
 
 /// A paragraph, broken at spaces and indented.
 fn wrapped(paragraph: &str) -> String {
+    wrapped_at(paragraph, 3)
+}
+
+/// A paragraph, broken at spaces and indented by so many blanks.
+pub(super) fn wrapped_at(paragraph: &str, indent: usize) -> String {
     let mut lines: Vec<String> = vec![String::new()];
     for word in paragraph.split(' ') {
         let line = lines.last_mut().expect("never empty");
-        if !line.is_empty() && line.chars().count() + word.chars().count() >= LINE {
+        if !line.is_empty() && indent + line.chars().count() + word.chars().count() >= LINE + 3 {
             lines.push(word.to_owned());
         } else {
             line.push_str(if line.is_empty() { "" } else { " " });
             line.push_str(word);
         }
     }
-    format!("   {}", lines.join("\n   "))
+    let margin = " ".repeat(indent);
+    format!("{margin}{}", lines.join(&format!("\n{margin}")))
 }

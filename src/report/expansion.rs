@@ -1,70 +1,11 @@
-//! The coefficients of the surface condition, in both bases.
+//! `prove-cap expand` for people.
 
 use std::fmt::Write as _;
 
 use super::mathematics::{Notation, superscript};
-use crate::algebra::polynomial_to_exact;
-use crate::exact::{Limit, Polynomial};
-use crate::prove::condition_of;
+use crate::exact::Limit;
+use crate::expand::{Basis, coefficients, grouped};
 use crate::statement::{Statement, Subject};
-
-/// In which basis F is expanded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Basis {
-    /// uʳ(1−u)^(M−r)·vˢ(1−v)^(N−s): the coefficients `c[r,s]` of certificates.
-    Bernstein,
-    /// uⁱvʲ: the coefficients `a[i,j]`; a1, …, a16 of the paper (Eq. 10, 11) are those with i, j = 1, …, 4, row by row.
-    Monomial,
-}
-
-/// One coefficient.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Coefficient {
-    /// Index in u and v.
-    pub index: (u32, u32),
-    /// `c[1,2]`, `a[1,2]` or, where the paper's numbering applies, `a2`.
-    pub name: String,
-    /// The coefficient.
-    pub value: Polynomial,
-}
-
-/// All coefficients of a patch's surface condition, row by row; `None` for a bare system.
-///
-/// # Errors
-/// Where a coefficient exceeds what the formats allow.
-pub fn coefficients(statement: &Statement, basis: Basis) -> Result<Option<Vec<Coefficient>>, Limit> {
-    let Some(form) = condition_of(statement) else {
-        return Ok(None);
-    };
-    let entries: Vec<_> = match basis {
-        Basis::Bernstein => form.coefficients().map(|(r, s, c)| (r, s, c.clone())).collect(),
-        Basis::Monomial => form.to_monomial_basis(),
-    };
-    let edge_free = entries.iter().all(|(i, j, value)| *i > 0 && *j > 0 || value.is_zero());
-    let numbered = basis == Basis::Monomial && form.bidegree() == (4, 4) && edge_free;
-    let mut list = Vec::with_capacity(entries.len());
-    for (i, j, value) in entries {
-        let name = match basis {
-            Basis::Bernstein => format!("c[{i},{j}]"),
-            Basis::Monomial if numbered && i > 0 && j > 0 => format!("a{}", 4 * (i - 1) + j),
-            Basis::Monomial => format!("a[{i},{j}]"),
-        };
-        list.push(Coefficient { index: (i, j), name, value: polynomial_to_exact(&value)? });
-    }
-    Ok(Some(list))
-}
-
-/// The distinct non-zero coefficients, each with all names it has, and how many are zero.
-pub fn grouped(list: &[Coefficient]) -> (Vec<(Vec<&str>, &Polynomial)>, usize) {
-    let mut groups: Vec<(Vec<&str>, &Polynomial)> = Vec::new();
-    for coefficient in list.iter().filter(|coefficient| !coefficient.value.is_zero()) {
-        match groups.iter_mut().find(|(_, value)| **value == coefficient.value) {
-            Some((names, _)) => names.push(&coefficient.name),
-            None => groups.push((vec![&coefficient.name], &coefficient.value)),
-        }
-    }
-    (groups, list.iter().filter(|coefficient| coefficient.value.is_zero()).count())
-}
 
 /// `prove-cap expand` for people.
 pub fn describe_expansion(statement: &Statement, basis: Basis) -> Result<String, Limit> {
@@ -109,7 +50,7 @@ pub fn describe_expansion(statement: &Statement, basis: Basis) -> Result<String,
     Ok(text)
 }
 
-fn superscript_of(number: u32) -> String {
+pub(super) fn superscript_of(number: u32) -> String {
     if number == 1 { "¹".into() } else { superscript(number) }
 }
 

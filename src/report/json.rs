@@ -3,12 +3,13 @@
 use serde::Serialize;
 
 use super::attempt::Files;
-use super::expansion::{Basis, coefficients};
+
 use crate::algebra::{self, polynomial_to_exact};
 use crate::certificate::{Argument, Step};
 use crate::checker::{Claim, Theorem};
 use crate::elimination::Undecided;
 use crate::exact::{Limit, Polynomial};
+use crate::expand::{Basis, Coefficient, coefficients};
 use crate::prove::{Attempt, Reason};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
@@ -155,9 +156,9 @@ fn net(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Vec<Vec<[String;
 /// The coefficients of a patch in one basis; `None` for a bare system.
 pub fn expansion(statement: &Statement, basis: Basis) -> Result<Option<Vec<CoefficientData>>, Limit> {
     let ring = statement.ring();
-    let data = |list: Vec<super::Coefficient>| {
+    let data = |list: Vec<Coefficient>| {
         let nonzero = list.into_iter().filter(|coefficient| !coefficient.value.is_zero());
-        let entry = |c: super::Coefficient| CoefficientData {
+        let entry = |c: Coefficient| CoefficientData {
             value: ring.spell(&c.value),
             name: c.name,
             index: c.index,

@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use crate::exact::{Monomial, Polynomial, Ring};
+use crate::exact::{Monomial, Polynomial, Radicands, Ring};
 
 /// Writes polynomials with the names of a ring.
 #[derive(Debug, Clone)]
@@ -15,7 +15,7 @@ pub struct Notation {
 }
 
 /// The coefficients in front of one power product: (number under the root, rational), not empty.
-type Coefficient = Vec<(BigInt, BigRational)>;
+pub(super) type Coefficient = Vec<(BigInt, BigRational)>;
 
 impl Notation {
     /// The notation of a ring.
@@ -25,13 +25,7 @@ impl Notation {
 
     /// The polynomial, terms of one power product collected.
     pub fn polynomial(&self, polynomial: &Polynomial) -> String {
-        // Keyed by the order of spelling of the power product alone.
-        let mut collected: BTreeMap<Monomial, Coefficient> = BTreeMap::new();
-        for (monomial, value) in polynomial.terms() {
-            let powers = Monomial::new(0, monomial.powers().to_vec()).and_then(Result::ok);
-            let root = self.ring.field.under_root(monomial.mask());
-            collected.entry(powers.unwrap_or_else(Monomial::one)).or_default().push((root, value.clone()));
-        }
+        let collected = collected(&self.ring.field, polynomial);
         let mut text = String::new();
         for (powers, coefficient) in &collected {
             // A sum in front of a power product goes into brackets, its sign with it.
@@ -82,6 +76,17 @@ impl Notation {
     pub fn shortened(&self, polynomial: &Polynomial, characters: usize) -> String {
         shorten(self.polynomial(polynomial), characters)
     }
+}
+
+/// The terms of a polynomial by power product, in the order of spelling.
+pub(super) fn collected(field: &Radicands, polynomial: &Polynomial) -> BTreeMap<Monomial, Coefficient> {
+    let mut collected: BTreeMap<Monomial, Coefficient> = BTreeMap::new();
+    for (monomial, value) in polynomial.terms() {
+        let powers = Monomial::new(0, monomial.powers().to_vec()).and_then(Result::ok);
+        let root = field.under_root(monomial.mask());
+        collected.entry(powers.unwrap_or_else(Monomial::one)).or_default().push((root, value.clone()));
+    }
+    collected
 }
 
 /// Cuts a long formula between two of its terms, never inside a number or a bracket.

@@ -1,8 +1,11 @@
 //! What was found, as text for people and as data.
 
 mod attempt;
+mod audit;
+mod audit_data;
 mod expansion;
 pub mod json;
+pub mod latex;
 mod mathematics;
 mod refutation;
 mod setting;
@@ -10,5 +13,7 @@ mod solution;
 mod undecided;
 
 pub use attempt::{Files, describe};
-pub use expansion::{Basis, Coefficient, coefficients, describe_expansion, grouped};
+pub use audit::describe_audit;
+pub use audit_data::audit as audit_data;
+pub use expansion::describe_expansion;
 pub use mathematics::Notation;

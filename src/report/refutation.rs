@@ -3,11 +3,12 @@
 use std::fmt::Write as _;
 
 use super::attempt::LINE;
-use super::expansion::{Basis, Coefficient, coefficients, grouped, surface_text};
+use super::expansion::surface_text;
 use super::mathematics::Notation;
 use super::setting;
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::exact::{Limit, Polynomial, Work};
+use crate::expand::{Basis, Coefficient, coefficients, grouped};
 use crate::prove::flattened;
 use crate::statement::{Statement, Subject};
 

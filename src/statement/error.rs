@@ -2,21 +2,14 @@
 
 use std::fmt;
 
+use super::source::Place;
 use crate::exact::{Limit, RadicandsError};
 
-/// A mistake in a statement file, with its place. Lines and columns count from 1, columns in characters.
+/// A mistake in a statement file, with its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StatementError {
-    /// The line.
-    pub line: usize,
-    /// The first column of the offending text.
-    pub column: usize,
-    /// How many characters offend (at least 1).
-    pub width: usize,
-    /// The line itself, shortened around the offending text; control characters escaped.
-    pub excerpt: String,
-    /// Where in `excerpt` the offending text starts, in characters from 0.
-    pub excerpt_column: usize,
+    /// Where.
+    pub place: Place,
     /// What is wrong.
     pub fault: StatementFault,
 }
@@ -145,11 +138,7 @@ impl fmt::Display for StatementFault {
 impl fmt::Display for StatementError {
     /// `12:18: unknown symbol …`, then the line and a caret under the offending text.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}:{}: {}", self.line, self.column, self.fault)?;
-        writeln!(f, "{:>5} | {}", self.line, self.excerpt)?;
-        let shown = self.excerpt.chars().count().saturating_sub(self.excerpt_column);
-        let width = self.width.clamp(1, shown.max(1));
-        write!(f, "      | {}{}", " ".repeat(self.excerpt_column), "^".repeat(width))
+        write!(f, "{}:{}: {}\n{}", self.place.line, self.place.column, self.fault, self.place)
     }
 }
 

@@ -27,6 +27,7 @@ mod source;
 use crate::exact::{Polynomial, Radicands, Ring};
 
 pub use error::{StatementError, StatementFault};
+pub use source::Place;
 
 /// The names of the surface's coordinates, in the order of [`HomogeneousPoint`].
 pub const COORDINATES: [&str; 4] = ["X", "Y", "Z", "W"];

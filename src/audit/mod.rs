@@ -1,0 +1,159 @@
+//! A printed coefficient listing against the truth, and the other claims of its source.
+//!
+//! Nothing here is typed in but what the source prints: true coefficients come from `expand`, everything said about
+//! them is computed. The paper's own listing is `paper.toml`.
+
+mod claims;
+mod compare;
+mod correction;
+mod decimal;
+pub mod net;
+mod phrase;
+mod site;
+mod span;
+mod targets;
+
+pub use claims::{ClaimVerdict, Judgement};
+pub use compare::{Difference, Finding, Relation};
+pub use correction::{Change, Correction};
+pub use phrase::{Phrase, Piece};
+pub use targets::{Target, Targets};
+
+use compare::{Printed, compare};
+
+use crate::elimination::{Control, Interrupted};
+use crate::exact::{Limit, Work};
+use crate::listing::{Listing, ListingError, ListingFault, Scope, Symbol};
+use crate::statement::{Place, Statement};
+
+/// The paper's listing: Eq. 11, and what the paper claims beside it.
+pub const PAPER: &str = include_str!("paper.toml");
+
+/// What an audit found.
+#[derive(Debug, Clone)]
+pub struct Audit {
+    /// One for each printed coefficient, in the order of the listing.
+    pub findings: Vec<Finding>,
+    /// Coefficients that are not zero and not in the listing, by their index.
+    pub unlisted: Vec<Target>,
+    /// One for each claim.
+    pub claims: Vec<ClaimVerdict>,
+}
+
+/// Why there is no audit.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum AuditError {
+    /// The listing does not fit the statement.
+    #[error("{0}")]
+    Listing(#[from] ListingError),
+    /// A limit.
+    #[error("{0}")]
+    Limit(#[from] Limit),
+    /// The statement has a surface condition that the trusted part could not expand.
+    #[error("the statement is too large: {0}")]
+    TooLarge(Limit),
+    /// Stopped by the user or by the clock.
+    #[error("stopped: {0}")]
+    Interrupted(Interrupted),
+}
+
+impl From<Interrupted> for AuditError {
+    fn from(why: Interrupted) -> Self {
+        AuditError::Interrupted(why)
+    }
+}
+
+impl Audit {
+    /// Whether every coefficient agrees and no claim fails.
+    pub fn agrees(&self) -> bool {
+        self.findings.iter().all(Finding::agrees)
+            && self.claims.iter().all(|claim| claim.judgement != Judgement::Fails)
+    }
+
+    /// Holds a listing against a statement.
+    ///
+    /// # Errors
+    /// [`AuditError`] where a name or a label means nothing in the statement.
+    pub fn of(listing: &Listing, statement: &Statement, control: &Control<'_>) -> Result<Self, AuditError> {
+        crate::checker::Equations::of(statement, &mut Work::full()).map_err(AuditError::TooLarge)?;
+        control.check()?;
+        let targets = Targets::of(statement, &listing.labels, listing.basis)?;
+        let scope = scope(listing, statement)?;
+        let mut named: Vec<(Symbol, Target)> = Vec::new();
+        let mut printed = Vec::new();
+        for formula in &listing.formulas {
+            let value = formula.expression.value(&listing.text, &scope, &mut Work::full())?;
+            for (label, span) in &formula.labels {
+                let fault = |fault: ListingFault| {
+                    ListingError { place: Place::of(&listing.text, span.clone()), fault }
+                };
+                let target = targets.resolve(label).ok_or_else(|| {
+                    let label = label.as_str().chars().take(40).collect();
+                    fault(ListingFault::UnknownLabel { label, expected: targets.expected() })
+                })?;
+                if let Some(first) = named.iter().position(|(_, other)| *other == target) {
+                    let before: &Printed<'_> = &printed[first];
+                    let line = before.place.line;
+                    return Err(fault(ListingFault::RepeatedLabel { label: label.to_string(), line }).into());
+                }
+                named.push((label.clone(), target));
+                printed.push(Printed {
+                    label,
+                    place: Place::of(&listing.text, span.clone()),
+                    target,
+                    expression: &formula.expression,
+                    value: value.clone(),
+                    text: &listing.text,
+                });
+            }
+        }
+        let mut findings = Vec::with_capacity(printed.len());
+        for printed in printed {
+            control.check()?;
+            findings.push(compare(printed, &targets, &named, &scope)?);
+        }
+        let unlisted = unlisted(&targets, &named);
+        let case = claims::Case { statement, targets: &targets, findings: &findings, scope: &scope, listing };
+        let mut judged = Vec::new();
+        for claim in &listing.claims {
+            control.check()?;
+            judged.push(claims::judge(claim, &case, control)?);
+        }
+        Ok(Audit { findings, unlisted, claims: judged })
+    }
+}
+
+/// What the names of a listing mean: the unknowns themselves, and what the listing maps to them.
+fn scope(listing: &Listing, statement: &Statement) -> Result<Scope, ListingError> {
+    let unknowns = Scope::of(statement.field(), statement.unknowns());
+    let mut given = Vec::new();
+    for (name, meaning) in &listing.names {
+        let value = meaning.value_within(&unknowns, &mut Work::full()).map_err(|limit| {
+            let message = match limit {
+                Some(limit) => limit.to_string(),
+                None => format!(
+                    "the meaning of `{name}` must be an expression in the statement's unknowns, {}",
+                    statement.unknowns().join(", ")
+                ),
+            };
+            ListingError {
+                place: Place::of(&listing.text, 0..0),
+                fault: ListingFault::File { message },
+            }
+        })?;
+        given.push((name.clone(), Some(value)));
+    }
+    // An unknown that the listing has its own name for goes by that name alone.
+    let mut scope = unknowns;
+    scope.names.retain(|_, meaning| !given.iter().any(|(_, value)| value == meaning));
+    scope.names.extend(given);
+    Ok(scope)
+}
+
+fn unlisted(targets: &Targets, named: &[(Symbol, Target)]) -> Vec<Target> {
+    let Some((_, first)) = named.first() else { return Vec::new() };
+    let is_listed = |target: &Target| named.iter().any(|(_, other)| other == target);
+    let all = targets.like(*first).into_iter();
+    all.filter(|target| !is_listed(target) && targets.value(*target).is_some_and(|v| !v.is_zero())).collect()
+}

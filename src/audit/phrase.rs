@@ -1,0 +1,55 @@
+//! Sentences with formulas in them, to be printed in any notation.
+
+use crate::exact::Polynomial;
+
+/// A sentence.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Phrase(pub Vec<Piece>);
+
+/// A part of a sentence.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Piece {
+    /// Words.
+    Words(String),
+    /// A polynomial in the unknowns of the statement.
+    Formula(Polynomial),
+    /// A polynomial that stands as a factor: in brackets if it is a sum.
+    Factor(Polynomial),
+    /// The label of a coefficient: `a14`.
+    Label(String),
+}
+
+impl Phrase {
+    /// Words.
+    pub fn words(words: impl Into<String>) -> Self {
+        Phrase::default().and(words)
+    }
+
+    /// Then words.
+    #[must_use]
+    pub fn and(mut self, words: impl Into<String>) -> Self {
+        self.0.push(Piece::Words(words.into()));
+        self
+    }
+
+    /// Then a formula.
+    #[must_use]
+    pub fn formula(mut self, polynomial: &Polynomial) -> Self {
+        self.0.push(Piece::Formula(polynomial.clone()));
+        self
+    }
+
+    /// Then a factor.
+    #[must_use]
+    pub fn factor(mut self, polynomial: &Polynomial) -> Self {
+        self.0.push(Piece::Factor(polynomial.clone()));
+        self
+    }
+
+    /// Then a label.
+    #[must_use]
+    pub fn label(mut self, label: impl Into<String>) -> Self {
+        self.0.push(Piece::Label(label.into()));
+        self
+    }
+}

@@ -1,0 +1,83 @@
+//! Printed formulas: LaTeX and plain text, read without guessing.
+//!
+//! A listing says `label = expression` for some of the coefficients that `expand` computes. What it says is kept as it
+//! stands ([`Expression`]), with places, so that an audit can point at the number that is wrong. The rules by which
+//! doubtful spellings are read or refused are in `LISTINGS.md`.
+
+mod claim;
+mod error;
+mod evaluate;
+mod expression;
+mod file;
+mod grammar;
+mod latex;
+mod number;
+mod plain;
+mod table;
+mod token;
+
+pub use claim::{Claim, ClaimKind, Expectation};
+pub use error::{ListingError, ListingFault};
+pub use evaluate::Scope;
+pub(crate) use evaluate::evaluate;
+pub use expression::{Expression, Formula, Kind, Operator, Signed};
+pub use file::{Listing, Notation};
+pub use token::Symbol;
+
+use crate::exact::{Limit, Polynomial, Work};
+
+/// Bytes of a listing.
+pub const LISTING_BYTES: u64 = 1 << 20;
+
+impl Notation {
+    /// Reads the formulas of a text.
+    ///
+    /// # Errors
+    /// [`ListingError`] at the first thing that cannot be read, or that can be read in two ways.
+    pub fn read(self, text: &str) -> Result<Vec<Formula>, ListingError> {
+        self.read_located(text).map_err(|located| ListingError::at(text, located))
+    }
+
+    fn read_located(self, text: &str) -> Result<Vec<Formula>, error::Located> {
+        let tokens = match self {
+            Notation::Latex => latex::tokens(text)?,
+            Notation::Plain => plain::tokens(text)?,
+        };
+        grammar::formulas(text, &tokens)
+    }
+}
+
+impl Expression {
+    /// The value of a formula that was read from `text`.
+    ///
+    /// # Errors
+    /// [`ListingError`] at an unknown name, a root outside K, a division that is none, or a limit.
+    pub fn value(&self, text: &str, scope: &Scope, work: &mut Work) -> Result<Polynomial, ListingError> {
+        evaluate(self, scope, work).map_err(|located| ListingError::at(text, located))
+    }
+
+    /// The value, where places do not matter.
+    pub(crate) fn value_within(&self, scope: &Scope, work: &mut Work) -> Result<Polynomial, Option<Limit>> {
+        evaluate(self, scope, work).map_err(|(fault, _)| match fault {
+            ListingFault::Limit(limit) => Some(limit),
+            _ => None,
+        })
+    }
+}
+
+/// Text as UTF-8, within the size of a listing.
+///
+/// # Errors
+/// [`ListingError`] where it is neither.
+pub fn decode(bytes: &[u8]) -> Result<&str, ListingError> {
+    if bytes.len() as u64 > LISTING_BYTES {
+        let limit = Limit::new("bytes in a listing", LISTING_BYTES);
+        return Err(ListingError::at("", (limit.into(), 0..0)));
+    }
+    std::str::from_utf8(bytes).map_err(|error| {
+        let valid = String::from_utf8_lossy(&bytes[..error.valid_up_to()]).into_owned();
+        let fault =
+            ListingFault::Expected { expected: "UTF-8 text", found: format!("byte {}", error.valid_up_to() + 1) };
+        ListingError::at(&valid, (fault, valid.len()..valid.len()))
+    })
+}
