@@ -42,7 +42,10 @@ pub(super) fn compare(exact: &Polynomial, with: &BigRational, field: &Radicands)
 }
 
 /// The decimal of a constant of K, cut off (towards zero) after some places.
-pub(super) fn decimal(exact: &Polynomial, places: u32, field: &Radicands) -> Result<String, Limit> {
+///
+/// # Errors
+/// Where a number on the way exceeds what the formats allow.
+pub fn decimal(exact: &Polynomial, places: u32, field: &Radicands) -> Result<String, Limit> {
     let negative = compare(exact, &BigRational::zero(), field)? == Ordering::Less;
     let size = if negative { exact.negate() } else { exact.clone() };
     let unit = BigInt::from(10).pow(places);

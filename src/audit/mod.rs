@@ -16,6 +16,7 @@ mod targets;
 pub use claims::{ClaimVerdict, Judgement};
 pub use compare::{Difference, Finding, Relation};
 pub use correction::{Change, Correction};
+pub use decimal::decimal;
 pub use phrase::{Phrase, Piece};
 pub use targets::{Target, Targets};
 
@@ -47,6 +48,9 @@ pub enum AuditError {
     /// The listing does not fit the statement.
     #[error("{0}")]
     Listing(#[from] ListingError),
+    /// A net that cannot be read, in words.
+    #[error("{0}")]
+    Net(String),
     /// A limit.
     #[error("{0}")]
     Limit(#[from] Limit),

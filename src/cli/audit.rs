@@ -6,19 +6,21 @@ use clap::{Args, ValueEnum};
 
 use super::arguments::{Format, to_json};
 use super::check::read_limited;
+use super::control::under_control;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
-use crate::audit::{Audit, PAPER};
-use crate::elimination::Control;
-use crate::listing::{LISTING_BYTES, Listing, Notation, decode};
-use crate::report::{audit_data, describe_audit, latex};
+use crate::audit::net::{Convention, NetAudit, PrintedNet, from_json, from_matlab};
+use crate::audit::{Audit, AuditError, PAPER};
+use crate::listing::{LISTING_BYTES, Listing, Notation, decode, is_net};
+use crate::report::{audit_data, describe_audit, describe_net, latex, net_data};
 
 #[derive(Debug, Args)]
 pub(super) struct AuditOptions {
-    /// A listing (.toml, .tex or plain text) or a control net (a statement without unknowns, .json or .m)
-    /// [default: the paper's Eq. 11].
+    /// A listing of formulas (.tex, .txt, .toml), or a control net (a statement without unknowns, by name or .toml;
+    /// .json; .m) [default: the paper's Eq. 11].
+    #[arg(value_name = "NAME|FILE")]
     file: Option<PathBuf>,
-    /// What to hold it against: a built-in statement (see `list`) or a statement file.
+    /// What a listing is held against: a built-in statement (see `list`) or a statement file.
     #[arg(long, value_name = "NAME|FILE")]
     statement: Option<PathBuf>,
     /// How the file is to be read, where its ending does not tell.
@@ -30,6 +32,15 @@ pub(super) struct AuditOptions {
     /// Which coefficient a label names, as in a_{14}=4,2; may be repeated.
     #[arg(long = "label", value_name = "LABEL=I,J")]
     labels: Vec<String>,
+    /// How the points of a net are given; needed for .m files, which do not say.
+    #[arg(long, value_enum)]
+    convention: Option<ConventionName>,
+    /// The surface that a net is held against [default: what the file says, or the unit sphere].
+    #[arg(long, value_name = "POLYNOMIAL")]
+    surface: Option<String>,
+    /// Stop after this many seconds.
+    #[arg(long, value_name = "SECONDS", value_parser = super::arguments::seconds)]
+    timeout: Option<std::time::Duration>,
 }
 
 /// What a file to be audited is.
@@ -39,20 +50,68 @@ enum FileKind {
     Latex,
     /// Formulas in plain text.
     Plain,
-    /// A listing file.
-    Listing,
+    /// A listing or a net in TOML.
+    Toml,
+    /// A net in JSON.
+    Json,
+    /// A net in MATLAB's notation.
+    Matlab,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ConventionName {
+    /// x, y, z and the weight w.
+    Cartesian,
+    /// X, Y, Z, W, premultiplied.
+    Homogeneous,
+}
+
+/// What was read.
+enum Printed {
+    Listing(Box<Listing>),
+    Net(PrintedNet),
 }
 
 pub(super) fn run(options: &AuditOptions, format: Format) -> Result<Outcome, Failure> {
-    let mut listing = match &options.file {
-        None => Listing::from_toml(PAPER).map_err(Failure::of)?,
-        Some(file) => read(file, options.kind)?,
+    let printed = match &options.file {
+        None => Printed::Listing(Box::new(Listing::from_toml(PAPER).map_err(Failure::of)?)),
+        Some(file) => read(file, options)?,
     };
+    match printed {
+        Printed::Listing(listing) => audit_listing(*listing, options, format),
+        Printed::Net(net) => audit_net(net, options, format),
+    }
+}
+
+fn place(options: &AuditOptions) -> String {
+    options.file.as_deref().map_or_else(|| "the paper's listing".into(), |file| file.display().to_string())
+}
+
+/// An audit that was interrupted has no verdict; any other error is one.
+fn stopped(options: &AuditOptions, error: AuditError) -> Result<Outcome, Failure> {
+    match error {
+        AuditError::Interrupted(why) => {
+            let text = format!("UNDECIDED  the audit was stopped: {why}\n");
+            Ok(Outcome { text, status: Status::Undecided })
+        }
+        other => Err(failure(options, &other)),
+    }
+}
+
+fn failure(options: &AuditOptions, error: &AuditError) -> Failure {
+    let space = if matches!(error, AuditError::Listing(_)) { "" } else { " " };
+    Failure(format!("{}:{space}{error}", place(options)))
+}
+
+fn audit_listing(mut listing: Listing, options: &AuditOptions, format: Format) -> Result<Outcome, Failure> {
+    if options.convention.is_some() || options.surface.is_some() {
+        return Err(Failure("--convention and --surface are for nets; this is a listing of formulas".to_owned()));
+    }
     for mapping in &options.names {
-        listing.map_name(mapping).map_err(|error| Failure(format!("--name {mapping}: {error}")))?;
+        listing.map_name(mapping).map_err(|error| Failure(format!("--name: {error}")))?;
     }
     for mapping in &options.labels {
-        listing.map_label(mapping).map_err(|error| Failure(format!("--label {mapping}: {error}")))?;
+        listing.map_label(mapping).map_err(|error| Failure(format!("--label: {error}")))?;
     }
     let named = options.statement.clone().or_else(|| {
         let name = listing.statement.as_deref()?;
@@ -66,37 +125,105 @@ pub(super) fn run(options: &AuditOptions, format: Format) -> Result<Outcome, Fai
         ));
     };
     let source = Source::find(&named)?;
-    let place = options.file.as_deref().map_or_else(|| "the paper's listing".into(), |f| f.display().to_string());
-    let audit = Audit::of(&listing, &source.statement, &Control::default())
-        .map_err(|error| Failure(format!("{place}:{error}")))?;
+    let audit = under_control(options.timeout, |control| Audit::of(&listing, &source.statement, control))?;
+    let audit = match audit {
+        Ok(audit) => audit,
+        Err(error) => return stopped(options, error),
+    };
     let text = match format {
         Format::Text => describe_audit(&listing, &source.name, &source.statement, &audit),
         Format::Json => to_json(&audit_data(&listing, &source.name, &source.statement, &audit))?,
         Format::Latex => latex::audit(&listing, &source.name, &source.statement, &audit),
     };
-    let status = if audit.agrees() { Status::Established } else { Status::Wrong };
-    Ok(Outcome { text, status })
+    Ok(Outcome { text, status: status(audit.agrees()) })
 }
 
-fn read(file: &Path, kind: Option<FileKind>) -> Result<Listing, Failure> {
-    let kind = kind.or_else(|| match file.extension()?.to_str()? {
+fn audit_net(mut net: PrintedNet, options: &AuditOptions, format: Format) -> Result<Outcome, Failure> {
+    if options.statement.is_some() || !options.names.is_empty() || !options.labels.is_empty() {
+        return Err(Failure(
+            "--statement, --name and --label are for listings of formulas; this is a net".to_owned(),
+        ));
+    }
+    if let Some(surface) = &options.surface {
+        net.surface.clone_from(surface);
+    }
+    let audit = match under_control(options.timeout, |control| NetAudit::of(&net, control))? {
+        Ok(audit) => audit,
+        Err(error) => return stopped(options, error),
+    };
+    let text = match format {
+        Format::Text => describe_net(&net, &audit).map_err(Failure::of)?,
+        Format::Json => to_json(&net_data(&net, &audit))?,
+        Format::Latex => return Err(Failure("--format latex is for listings of formulas".to_owned())),
+    };
+    Ok(Outcome { text, status: status(audit.agrees) })
+}
+
+fn status(agrees: bool) -> Status {
+    if agrees { Status::Established } else { Status::Wrong }
+}
+
+fn read(file: &Path, options: &AuditOptions) -> Result<Printed, Failure> {
+    let stated = options.convention.map(|name| match name {
+        ConventionName::Cartesian => Convention::Cartesian,
+        ConventionName::Homogeneous => Convention::Homogeneous,
+    });
+    if !file.exists() {
+        let source = Source::find(file)?;
+        return net_of(&source, options, stated);
+    }
+    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let kind = options.kind.or(match ending {
         "tex" | "latex" => Some(FileKind::Latex),
         "txt" => Some(FileKind::Plain),
-        "toml" => Some(FileKind::Listing),
+        "toml" => Some(FileKind::Toml),
+        "json" => Some(FileKind::Json),
+        "m" => Some(FileKind::Matlab),
         _ => None,
     });
     let Some(kind) = kind else {
         return Err(Failure(format!(
-            "{}: LaTeX, plain text or a listing file? say so with --as, or by the ending .tex, .txt or .toml",
+            "{}: a listing or a net, in which notation? say so with --as, or by the ending .tex, .txt, .toml, .json or .m",
             file.display()
         )));
     };
     let bytes = read_limited(file, LISTING_BYTES)?;
+    let in_file = |error: &dyn std::fmt::Display| Failure(format!("{}:{error}", file.display()));
+    let text = decode(&bytes).map_err(|error| in_file(&error))?;
     let title = file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let listing = decode(&bytes).and_then(|text| match kind {
+    let listing = match kind {
         FileKind::Latex => Listing::from_formulas(&title, text, Notation::Latex),
         FileKind::Plain => Listing::from_formulas(&title, text, Notation::Plain),
-        FileKind::Listing => Listing::from_toml(text),
-    });
-    listing.map_err(|error| Failure(format!("{}:{error}", file.display())))
+        FileKind::Toml if is_net(text) => return net_of(&Source::find(file)?, options, stated),
+        FileKind::Toml => Listing::from_toml(text),
+        FileKind::Json => {
+            let net = from_json(text).map_err(|error| failure(options, &error))?;
+            let convention = stated.unwrap_or(net.convention);
+            return Ok(Printed::Net(PrintedNet { convention, ..net }));
+        }
+        FileKind::Matlab => {
+            let Some(convention) = stated else {
+                return Err(Failure(format!(
+                    "{}: are the points premultiplied by their weights? MATLAB files do not say: add \
+                     --convention homogeneous (premultiplied) or --convention cartesian",
+                    file.display()
+                )));
+            };
+            let net = from_matlab(text, &title, convention).map_err(|error| failure(options, &error))?;
+            return Ok(Printed::Net(net));
+        }
+    };
+    listing.map(|listing| Printed::Listing(Box::new(listing))).map_err(|error| in_file(&error))
+}
+
+/// The net of a statement; it says itself which convention it follows.
+fn net_of(source: &Source, options: &AuditOptions, stated: Option<Convention>) -> Result<Printed, Failure> {
+    if stated.is_some() {
+        return Err(Failure("a statement says itself which convention it follows".to_owned()));
+    }
+    let convention = crate::listing::convention_word(&source.text).and_then(|word| Convention::read(&word));
+    let convention = convention.unwrap_or(Convention::Homogeneous);
+    PrintedNet::from_statement(&source.statement, convention)
+        .map(Printed::Net)
+        .map_err(|error| failure(options, &error))
 }

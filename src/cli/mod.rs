@@ -10,6 +10,8 @@ mod audit;
 #[cfg(not(feature = "prover"))]
 mod checker_only;
 #[cfg(feature = "prover")]
+mod control;
+#[cfg(feature = "prover")]
 mod expand;
 #[cfg(feature = "prover")]
 mod list;

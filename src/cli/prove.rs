@@ -1,22 +1,19 @@
 //! `prove-cap prove [NAME|FILE]`: prove a statement, write statement and certificate, check what was written.
 
 use std::fs;
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::arguments::{Format, to_json};
 use super::check::examine;
+use super::control::under_control;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
-use crate::elimination::{Control, Progress};
 use crate::exact::Work;
 use crate::prove::{Attempt, prove};
 use crate::report::{Files, describe, json};
 use crate::statement::Statement;
-
-static CANCELLED: AtomicBool = AtomicBool::new(false);
 
 pub(super) fn run(
     name_or_file: &Path,
@@ -25,21 +22,7 @@ pub(super) fn run(
     format: Format,
 ) -> Result<Outcome, Failure> {
     let source = Source::find(name_or_file)?;
-    ctrlc::set_handler(|| CANCELLED.store(true, Ordering::Relaxed)).map_err(Failure::of)?;
-    let show = |progress: &Progress| {
-        // One line, overwritten: there is no use for it in a file.
-        let _ = write!(std::io::stderr().lock(), "\r\x1b[K{progress}");
-    };
-    let terminal = std::io::stderr().is_terminal();
-    let control = Control {
-        deadline: timeout.and_then(|timeout| Instant::now().checked_add(timeout)),
-        cancelled: Some(&CANCELLED),
-        observer: if terminal { Some(&show) } else { None },
-    };
-    let attempt = prove(&source.statement, &control);
-    if terminal {
-        let _ = write!(std::io::stderr().lock(), "\r\x1b[K");
-    }
+    let attempt = under_control(timeout, |control| prove(&source.statement, control))?;
     let attempt = attempt.map_err(Failure::of)?;
     let directory = match directory {
         Some(directory) => directory.to_path_buf(),

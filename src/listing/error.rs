@@ -16,7 +16,7 @@ pub struct ListingError {
 }
 
 /// A fault with the bytes of the text it concerns.
-pub(super) type Located = (ListingFault, Range<usize>);
+pub(crate) type Located = (ListingFault, Range<usize>);
 
 /// What is wrong, without the place.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -150,7 +150,8 @@ impl fmt::Display for ListingFault {
 }
 
 impl ListingError {
-    pub(super) fn at(text: &str, (fault, span): Located) -> Self {
+    /// A fault at these bytes of a text.
+    pub(crate) fn at(text: &str, (fault, span): Located) -> Self {
         ListingError { place: Place::of(text, span), fault }
     }
 }

@@ -33,6 +33,16 @@ pub(super) fn formulas(text: &str, tokens: &[Token]) -> Result<Vec<Formula>, Loc
     }
 }
 
+/// Reads a formula without a label.
+pub(super) fn expression(text: &str, tokens: &[Token]) -> Result<Expression, Located> {
+    let mut parser = Parser { text, tokens, at: 0, depth: 0 };
+    let expression = parser.expression()?;
+    match parser.peek() {
+        None => Ok(expression),
+        Some(_) => parser.expected("an operator or the end"),
+    }
+}
+
 /// Cuts after each separator and in front of each row that has an `=`; drops pieces without content.
 fn pieces(tokens: &[Token]) -> Vec<&[Token]> {
     let mut cuts = vec![0];

@@ -22,7 +22,10 @@ pub use evaluate::Scope;
 pub(crate) use evaluate::evaluate;
 pub use expression::{Expression, Formula, Kind, Operator, Signed};
 pub use file::{Listing, Notation};
+pub use table::{convention_word, is_net};
 pub use token::Symbol;
+
+use std::ops::Range;
 
 use crate::exact::{Limit, Polynomial, Work};
 
@@ -41,13 +44,29 @@ impl Notation {
     fn read_located(self, text: &str) -> Result<Vec<Formula>, error::Located> {
         let tokens = match self {
             Notation::Latex => latex::tokens(text)?,
-            Notation::Plain => plain::tokens(text)?,
+            Notation::Plain => plain::tokens(text, 0..text.len())?,
         };
         grammar::formulas(text, &tokens)
     }
 }
 
 impl Expression {
+    /// Reads a part of a text as one expression in plain notation.
+    ///
+    /// # Errors
+    /// As [`Notation::read`].
+    pub fn read(text: &str, part: Range<usize>) -> Result<Self, ListingError> {
+        let end = part.end;
+        let read = plain::tokens(text, part).and_then(|tokens| match tokens.is_empty() {
+            true => {
+                let found = "nothing".to_owned();
+                Err((ListingFault::Expected { expected: "an expression", found }, end..end))
+            }
+            false => grammar::expression(text, &tokens),
+        });
+        read.map_err(|located| ListingError::at(text, located))
+    }
+
     /// The value of a formula that was read from `text`.
     ///
     /// # Errors

@@ -1,14 +1,16 @@
 //! Plain text → tokens: `a14 = -16*w^2 + (80/3)·√6·w`, as programs and this one print it.
 
+use std::ops::Range;
+
 use super::error::{ListingFault, Located, shown};
 use super::number::{digits_at, number_at};
 use super::token::{Bracket, Kind, Symbol, Token, Tokens};
 
 const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-/// The tokens of a text. A line break ends a row; `#` starts a comment.
-pub(super) fn tokens(text: &str) -> Tokens {
-    let mut lexer = Lexer { text, at: 0, tokens: Vec::new() };
+/// The tokens of a part of a text. A line break ends a row; `#` starts a comment.
+pub(super) fn tokens(text: &str, part: Range<usize>) -> Tokens {
+    let mut lexer = Lexer { text, at: part.start, end: part.end, tokens: Vec::new() };
     while lexer.step()? {}
     Ok(lexer.tokens)
 }
@@ -16,12 +18,13 @@ pub(super) fn tokens(text: &str) -> Tokens {
 struct Lexer<'a> {
     text: &'a str,
     at: usize,
+    end: usize,
     tokens: Vec<Token>,
 }
 
 impl<'a> Lexer<'a> {
     fn rest(&self) -> &'a str {
-        &self.text[self.at..]
+        &self.text[self.at..self.end]
     }
 
     fn push(&mut self, kind: Kind, length: usize) {

@@ -119,11 +119,9 @@ impl<'t, 'a> Table<'t, 'a> {
 
     /// An expression in plain notation.
     pub(super) fn expression(&self, value: &Value<'_>, what: &str) -> Result<Expression, Located> {
-        let formula = self.formula(&format!("value = {}", string(value, what)?), value, what)?;
-        match formula.labels.len() {
-            1 => Ok(formula.expression),
-            _ => Err(file_fault(format!("`{what}`: expected an expression without `=`"), value.span())),
-        }
+        let text = string(value, what)?;
+        Expression::read(text, 0..text.len())
+            .map_err(|error| file_fault(format!("`{what}`: {}", error.fault), value.span()))
     }
 
     /// One formula in plain notation; a fault is placed at the value it stands in.
@@ -173,4 +171,18 @@ pub(super) fn naturals(value: &Value<'_>, key: &str) -> Result<Vec<u32>, Located
         .iter()
         .map(|item| natural(item).ok_or_else(|| wrong(item, key, "an index, an integer from 0")))
         .collect()
+}
+
+/// Whether a TOML file holds a statement with a net, or with equations, rather than a listing.
+pub fn is_net(text: &str) -> bool {
+    DeTable::parse(text).is_ok_and(|table| {
+        let table = table.get_ref();
+        table.contains_key("net") || table.contains_key("polynomials")
+    })
+}
+
+/// The convention of the net in a statement file.
+pub fn convention_word(text: &str) -> Option<String> {
+    let table = DeTable::parse(text).ok()?;
+    Some(table.get_ref().get("convention")?.get_ref().as_str()?.to_owned())
 }

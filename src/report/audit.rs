@@ -17,8 +17,8 @@ pub fn describe_audit(listing: &Listing, name: &str, statement: &Statement, audi
     let notation = Notation::new(statement.ring());
     let mut text = format!("{}\n\n", headline(audit));
     let source = if listing.source.is_empty() { String::new() } else { format!("{} of ", listing.source) };
-    let _ = writeln!(text, "Listing     {source}{}", listing.title);
-    let _ = writeln!(text, "Held against {name}: {}\n", statement.title());
+    let _ = writeln!(text, "Listing       {source}{}", listing.title);
+    let _ = writeln!(text, "Held against  {name}: {}\n", statement.title());
     text += &table(&notation, audit);
     for finding in audit.findings.iter().filter(|finding| !finding.agrees()) {
         text.push('\n');
@@ -198,7 +198,7 @@ fn claim_lines(notation: &Notation, verdict: &ClaimVerdict) -> String {
     let judgement = judgement_word(verdict.judgement);
     let place = &verdict.claim.place;
     let mut text = format!("   {judgement:<11}  {place:<14} {}\n", verdict.claim.says);
-    let indent = 30;
+    let indent = 33;
     for phrase in &verdict.evidence {
         text += &wrapped_at(&phrase_text(notation, phrase), indent);
         text.push('\n');

@@ -23,8 +23,8 @@ const TERMS: usize = 4;
 pub fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit) -> String {
     let ring = statement.ring();
     let mut text = String::from(
-        "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath,longtable}\n\
-         \\usepackage[margin=2cm]{geometry}\n\\allowdisplaybreaks\n\\setlength{\\parindent}{0pt}\n\
+        "\\documentclass[a4paper]{article}\n\\usepackage{amsmath,longtable}\n\
+         \\usepackage[margin=2cm]{geometry}\n\\allowdisplaybreaks\n\\setlength{\\parindent}{0pt}\n\\renewcommand{\\arraystretch}{1.25}\n\
          \\begin{document}\n",
     );
     let source = if listing.source.is_empty() { String::new() } else { format!("{} of ", listing.source) };
@@ -216,7 +216,7 @@ pub fn prose(words: &str) -> String {
             '<' => "\\textless{}",
             '>' => "\\textgreater{}",
             '|' => "\\textbar{}",
-            '"' => "\\textquotedbl{}",
+            '"' => "''",
             '{' => "\\{",
             '}' => "\\}",
             '$' => "\\$",

@@ -1,5 +1,7 @@
 //! Which coefficients are linear, and what space they span.
 
+use num_traits::Signed;
+
 use super::{Claimed, Judged, Judgement};
 use crate::algebra::{FieldElement, Polynomial, polynomial_from_exact, polynomial_to_exact};
 use crate::audit::AuditError;
@@ -90,9 +92,14 @@ fn combination(label: &Symbol, others: &[Symbol], scalars: &[FieldElement]) -> R
     let mut first = true;
     for (other, scalar) in others.iter().zip(scalars).filter(|(_, scalar)| !scalar.is_zero()) {
         let scalar: exact::Polynomial = polynomial_to_exact(&Polynomial::constant(scalar.clone()))?;
-        if !first {
-            phrase = phrase.and(" + ");
-        }
+        let negative = scalar.term_count() == 1 && scalar.terms().all(|(_, value)| value.is_negative());
+        let scalar = if negative { scalar.negate() } else { scalar };
+        phrase = phrase.and(match (first, negative) {
+            (true, false) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (false, true) => " − ",
+        });
         phrase = phrase.factor(&scalar).and("·").label(other.as_str());
         first = false;
     }

@@ -1,0 +1,176 @@
+//! Which single change of a printed net puts it on the surface.
+//!
+//! One number at a time is taken as an unknown t; then every coefficient of the surface condition is a polynomial in
+//! t, and a common root in K is what the number should be. In the same way the first three numbers of a point are
+//! multiplied by t: with t the weight or its inverse, the point is given in the wrong convention.
+
+use super::printed::{Convention, PrintedNet, premultiplied};
+use crate::algebra::{FieldElement, Polynomial as Univariable, Univariate, polynomial_to_exact};
+use crate::audit::AuditError;
+use crate::bezier::{BernsteinForm, surface_condition};
+use crate::elimination::Control;
+use crate::exact::{Polynomial, Work};
+use crate::prove::field_of;
+use crate::statement::{Patch, Statement, Subject};
+
+/// A change that makes the net right, and the only one needed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NetCorrection {
+    /// The control point; none where the whole net is concerned.
+    pub point: Option<(usize, usize)>,
+    /// What is changed.
+    pub change: NetChange,
+}
+
+/// What is changed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NetChange {
+    /// One number of the point.
+    Entry {
+        /// 0, 1, 2, 3 in the order of printing.
+        coordinate: usize,
+        /// As printed.
+        printed: Polynomial,
+        /// What is right.
+        right: Polynomial,
+    },
+    /// The first three numbers are to be multiplied by this.
+    Scale(Polynomial),
+    /// The point, or the net, is given in the other convention.
+    Convention {
+        /// The one that is meant.
+        meant: Convention,
+    },
+}
+
+/// All single changes, those of a sign first.
+pub(super) fn search(
+    net: &PrintedNet,
+    statement: &Statement,
+    control: &Control<'_>,
+) -> Result<Vec<NetCorrection>, AuditError> {
+    let Subject::Patch(patch) = statement.subject() else { return Ok(Vec::new()) };
+    let search = Search { net, statement, patch };
+    let mut found = search.other_convention()?;
+    for i in 0..net.points.len() {
+        for j in 0..net.points[i].len() {
+            control.check()?;
+            for coordinate in 0..4 {
+                found.extend(search.entry(i, j, coordinate)?);
+            }
+            found.extend(search.scale(i, j)?);
+        }
+    }
+    // A point that is all zeros but for one number can be mended in two ways that are the same.
+    let is_sign = |correction: &NetCorrection| match &correction.change {
+        NetChange::Entry { printed, right, .. } => printed.negate() == *right,
+        NetChange::Scale(_) => false,
+        NetChange::Convention { .. } => true,
+    };
+    found.sort_by_key(|correction| !is_sign(correction));
+    Ok(found)
+}
+
+struct Search<'a> {
+    net: &'a PrintedNet,
+    statement: &'a Statement,
+    patch: &'a Patch,
+}
+
+impl Search<'_> {
+    /// The whole net read in the other convention.
+    fn other_convention(&self) -> Result<Vec<NetCorrection>, AuditError> {
+        let meant = self.net.convention.other();
+        let other = PrintedNet { convention: meant, ..self.net.clone() };
+        let patch = Patch { net: other.homogeneous()?, ..self.patch.clone() };
+        let form = surface_condition(field_of(self.statement), &patch);
+        let vanishes = form.coefficients().all(|(_, _, value)| value.is_zero());
+        let correction = NetCorrection { point: None, change: NetChange::Convention { meant } };
+        Ok(if vanishes { vec![correction] } else { Vec::new() })
+    }
+
+    /// The net with t for one number.
+    fn entry(&self, i: usize, j: usize, coordinate: usize) -> Result<Vec<NetCorrection>, AuditError> {
+        let mut point = self.net.points[i][j].clone();
+        let printed = std::mem::replace(&mut point[coordinate], Polynomial::variable(0));
+        let mut work = Work::full();
+        let homogeneous = premultiplied(&point, self.net.convention, &self.net.field, &mut work)?;
+        let mut found = Vec::new();
+        for right in self.roots(i, j, homogeneous) {
+            let right = constant(&right)?;
+            if right != printed {
+                let change = NetChange::Entry { coordinate, printed: printed.clone(), right };
+                found.push(NetCorrection { point: Some((i, j)), change });
+            }
+        }
+        Ok(found)
+    }
+
+    /// The net with the first three numbers of a point multiplied by t.
+    fn scale(&self, i: usize, j: usize) -> Result<Vec<NetCorrection>, AuditError> {
+        let mut work = Work::full();
+        let field = &self.net.field;
+        let t = Polynomial::variable(0);
+        let mut point = self.patch.net[i][j].clone();
+        // Of a point with one coordinate alone that number itself has been tried.
+        if point[..3].iter().filter(|entry| !entry.is_zero()).count() < 2 {
+            return Ok(Vec::new());
+        }
+        let weight = point[3].clone();
+        for coordinate in &mut point[..3] {
+            *coordinate = coordinate.multiply(&t, field, &mut work)?;
+        }
+        let inverse = weight.inverse(field, &mut work)?;
+        let meant = match self.net.convention {
+            Convention::Homogeneous => Some(weight),
+            Convention::Cartesian => inverse,
+        };
+        let mut found = Vec::new();
+        for factor in self.roots(i, j, point) {
+            let factor = constant(&factor)?;
+            if factor.is_one() {
+                continue;
+            }
+            let change = match meant.as_ref() == Some(&factor) {
+                true => NetChange::Convention { meant: self.net.convention.other() },
+                false => NetChange::Scale(factor),
+            };
+            found.push(NetCorrection { point: Some((i, j)), change });
+        }
+        Ok(found)
+    }
+
+    /// The values of t in K for which the patch lies on the surface.
+    fn roots(&self, i: usize, j: usize, point: [Polynomial; 4]) -> Vec<FieldElement> {
+        let mut patch = self.patch.clone();
+        patch.net[i][j] = point;
+        let form = surface_condition(field_of(self.statement), &patch);
+        common_roots(&form)
+    }
+}
+
+fn constant(value: &FieldElement) -> Result<Polynomial, AuditError> {
+    Ok(polynomial_to_exact(&Univariable::constant(value.clone()))?)
+}
+
+/// The common roots in K of all coefficients, polynomials in one unknown of which one has degree 1 or 2.
+fn common_roots(form: &BernsteinForm) -> Vec<FieldElement> {
+    let field = form.field();
+    let univariate = |polynomial: &Univariable| {
+        let mut coefficients = vec![field.zero(); polynomial.degree().unwrap_or(0) as usize + 1];
+        for (monomial, value) in polynomial.terms() {
+            coefficients[monomial.degree() as usize] = value.clone();
+        }
+        Univariate::new(field, coefficients)
+    };
+    let equations: Vec<Univariate> =
+        form.coefficients().filter(|(_, _, value)| !value.is_zero()).map(|(_, _, value)| univariate(value)).collect();
+    let Some(shortest) = equations.iter().min_by_key(|equation| equation.degree()) else { return Vec::new() };
+    if shortest.degree() == 0 {
+        return Vec::new();
+    }
+    let mut roots = shortest.roots_in_field().unwrap_or_default();
+    roots.dedup();
+    roots.retain(|root| equations.iter().all(|equation| equation.evaluate(root).is_zero()));
+    roots
+}

@@ -1,0 +1,178 @@
+//! A control net as it was printed.
+
+use std::fmt::Write as _;
+
+use crate::audit::AuditError;
+use crate::exact::{Polynomial, Radicands, Ring, Work};
+use crate::statement::{Statement, Subject};
+
+/// How the four numbers of a control point are meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Convention {
+    /// x, y, z and the weight w: the homogeneous point is (wx, wy, wz, w).
+    Cartesian,
+    /// X, Y, Z, W, premultiplied.
+    Homogeneous,
+}
+
+impl Convention {
+    /// The convention a word stands for.
+    pub fn read(word: &str) -> Option<Self> {
+        match word {
+            "cartesian" => Some(Convention::Cartesian),
+            "homogeneous" => Some(Convention::Homogeneous),
+            _ => None,
+        }
+    }
+
+    /// The other one.
+    pub fn other(self) -> Self {
+        match self {
+            Convention::Cartesian => Convention::Homogeneous,
+            Convention::Homogeneous => Convention::Cartesian,
+        }
+    }
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Convention::Cartesian => "cartesian",
+            Convention::Homogeneous => "homogeneous",
+        }
+    }
+
+    /// The names of the four numbers.
+    pub fn names(self) -> [&'static str; 4] {
+        match self {
+            Convention::Cartesian => ["x", "y", "z", "w"],
+            Convention::Homogeneous => ["X", "Y", "Z", "W"],
+        }
+    }
+}
+
+/// Four numbers for each control point, constants of K, as printed.
+#[derive(Debug, Clone)]
+pub struct PrintedNet {
+    /// What it is from.
+    pub title: String,
+    /// K.
+    pub field: Radicands,
+    /// How points are given.
+    pub convention: Convention,
+    /// The surface, in the language of statements.
+    pub surface: String,
+    /// `points[i][j]` belongs to Bᵢᵐ(u)·Bⱼⁿ(v); at least two rows of at least two points, all of one length.
+    pub points: Vec<Vec<[Polynomial; 4]>>,
+}
+
+impl PrintedNet {
+    /// The net of a statement without unknowns, as its convention has it.
+    ///
+    /// # Errors
+    /// Where the statement has unknowns, or no net.
+    pub fn from_statement(statement: &Statement, convention: Convention) -> Result<Self, AuditError> {
+        let Subject::Patch(patch) = statement.subject() else {
+            return Err(AuditError::Net("a system of equations has no net to be audited".to_owned()));
+        };
+        if !statement.unknowns().is_empty() {
+            let names = statement.unknowns().join(", ");
+            return Err(AuditError::Net(format!(
+                "the net has unknowns, {names}: a printed net has none; `prove` looks for their values"
+            )));
+        }
+        let mut work = Work::full();
+        let mut points = Vec::new();
+        for row in &patch.net {
+            let mut printed = Vec::new();
+            for point in row {
+                printed.push(match convention {
+                    Convention::Homogeneous => point.clone(),
+                    Convention::Cartesian => divided(point, statement.field(), &mut work)?,
+                });
+            }
+            points.push(printed);
+        }
+        Ok(PrintedNet {
+            title: statement.title().to_owned(),
+            field: statement.field().clone(),
+            convention,
+            surface: statement.coordinate_ring().spell(&patch.surface),
+            points,
+        })
+    }
+
+    /// The homogeneous points.
+    ///
+    /// # Errors
+    /// Where a number exceeds what the formats allow.
+    pub fn homogeneous(&self) -> Result<Vec<Vec<[Polynomial; 4]>>, AuditError> {
+        let mut work = Work::full();
+        let mut rows = Vec::new();
+        for row in &self.points {
+            let mut points = Vec::new();
+            for point in row {
+                points.push(premultiplied(point, self.convention, &self.field, &mut work)?);
+            }
+            rows.push(points);
+        }
+        Ok(rows)
+    }
+
+    /// (m, n).
+    pub fn bidegree(&self) -> (usize, usize) {
+        (self.points.len() - 1, self.points.first().map_or(1, Vec::len) - 1)
+    }
+
+    /// The statement that the net lies on the surface, as a file.
+    pub fn statement(&self) -> String {
+        let ring = Ring { field: self.field.clone(), variables: Vec::new() };
+        let (m, n) = self.bidegree();
+        let title: String = self.title.chars().filter(|c| !c.is_control()).take(200).collect();
+        let quoted = title.replace('\\', "\\\\").replace('"', "\\\"");
+        let mut text = format!(
+            "title = \"{quoted}\"\nradicands = {:?}\nunknowns = []\nconvention = \"{}\"\nbidegree = [{m}, {n}]\n\
+             surface = \"{}\"\nnet = [\n",
+            self.field.values(),
+            self.convention.word(),
+            self.surface
+        );
+        for row in &self.points {
+            let point = |point: &[Polynomial; 4]| {
+                let entries: Vec<String> = point.iter().map(|entry| format!("\"{}\"", ring.spell(entry))).collect();
+                format!("[{}]", entries.join(", "))
+            };
+            let _ = writeln!(text, "  [{}],", row.iter().map(point).collect::<Vec<_>>().join(", "));
+        }
+        text + "]\n"
+    }
+}
+
+/// (wx, wy, wz, w).
+pub(super) fn premultiplied(
+    point: &[Polynomial; 4],
+    convention: Convention,
+    field: &Radicands,
+    work: &mut Work,
+) -> Result<[Polynomial; 4], AuditError> {
+    let mut homogeneous = point.clone();
+    if convention == Convention::Cartesian {
+        for coordinate in &mut homogeneous[..3] {
+            *coordinate = coordinate.multiply(&point[3], field, work)?;
+        }
+    }
+    Ok(homogeneous)
+}
+
+/// (X/W, Y/W, Z/W, W); zeros where W is zero, as in a Cartesian net nothing else can be.
+fn divided(
+    point: &[Polynomial; 4],
+    field: &Radicands,
+    work: &mut Work,
+) -> Result<[Polynomial; 4], AuditError> {
+    let inverse = point[3].inverse(field, work)?.unwrap_or_default();
+    let mut cartesian = point.clone();
+    for coordinate in &mut cartesian[..3] {
+        *coordinate = coordinate.multiply(&inverse, field, work)?;
+    }
+    Ok(cartesian)
+}

@@ -1,0 +1,152 @@
+//! The audit of a control net, for people and as data.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use super::json::{StatementData, statement as statement_data};
+use super::mathematics::Notation;
+use crate::audit::decimal;
+use crate::audit::net::{Convention, NetAudit, NetChange, NetCorrection, PrintedNet};
+use crate::exact::{Limit, Polynomial, Ring};
+
+/// Coefficients and corrections that are printed.
+const SHOWN: usize = 12;
+
+/// `prove-cap audit` of a net, for people.
+///
+/// # Errors
+/// Where a number exceeds what the formats allow.
+pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit> {
+    let notation = Notation::new(Ring { field: net.field.clone(), variables: Vec::new() });
+    let (m, n) = net.bidegree();
+    let mut text = String::new();
+    let _ = match audit.agrees {
+        true => writeln!(text, "AGREES  the net lies on the surface: verified by the independent checker\n"),
+        false => writeln!(
+            text,
+            "DIFFERS  the net does not lie on the surface: {} of {} coefficients c[r,s] are not zero\n",
+            audit.residual.len(),
+            audit.coefficients
+        ),
+    };
+    let _ = writeln!(text, "Net      {}", net.title);
+    let given = match net.convention {
+        Convention::Cartesian => "Cartesian points with weights",
+        Convention::Homogeneous => "homogeneous points, premultiplied",
+    };
+    let _ = writeln!(text, "         bidegree ({m},{n}), {given}, over {}", net.field);
+    let surface = Notation::new(audit.statement.coordinate_ring());
+    if let crate::statement::Subject::Patch(patch) = audit.statement.subject() {
+        let _ = writeln!(text, "Surface  {} = 0", surface.polynomial(&patch.surface));
+    }
+    if audit.residual.is_empty() {
+        return Ok(text);
+    }
+    text.push('\n');
+    for (r, s, value) in audit.residual.iter().take(SHOWN) {
+        let _ = writeln!(text, "   c[{r},{s}] = {}", notation.shortened(value, 90));
+    }
+    if audit.residual.len() > SHOWN {
+        let _ = writeln!(text, "   … and {} more", audit.residual.len() - SHOWN);
+    }
+    if let Some((r, s, value)) = audit.largest() {
+        let _ = writeln!(text, "   The largest is c[{r},{s}] = {}", decimal(value, 20, &net.field)?);
+    }
+    text.push('\n');
+    let _ = match audit.corrections.len() {
+        0 => writeln!(text, "No change of a single number, and no change of convention, puts the net on the surface."),
+        1 => writeln!(text, "One single change puts the net on the surface:"),
+        many => writeln!(text, "{many} single changes put the net on the surface, each alone:"),
+    };
+    for correction in audit.corrections.iter().take(SHOWN) {
+        let _ = writeln!(text, "   {}", correction_text(net, &notation, correction));
+    }
+    Ok(text)
+}
+
+fn correction_text(net: &PrintedNet, notation: &Notation, correction: &NetCorrection) -> String {
+    let place = match correction.point {
+        Some((i, j)) => format!("point (i,j) = ({i},{j})"),
+        None => "the whole net".to_owned(),
+    };
+    let given = |convention: Convention| match convention {
+        Convention::Cartesian => "Cartesian, not premultiplied by the weight",
+        Convention::Homogeneous => "premultiplied by the weight",
+    };
+    match &correction.change {
+        NetChange::Entry { coordinate, printed, right } => {
+            let name = net.convention.names()[*coordinate];
+            let what = if printed.negate() == *right { "the sign of " } else { "" };
+            format!(
+                "{place}: {what}{name}: {} is printed where {} would be right",
+                notation.polynomial(printed),
+                notation.polynomial(right)
+            )
+        }
+        NetChange::Scale(factor) => {
+            let names = net.convention.names();
+            format!(
+                "{place}: {}, {}, {} are to be multiplied by {}",
+                names[0],
+                names[1],
+                names[2],
+                notation.polynomial(factor)
+            )
+        }
+        NetChange::Convention { meant } => format!("{place} is {}", given(*meant)),
+    }
+}
+
+/// The audit of a net as data.
+#[derive(Debug, Serialize)]
+pub struct NetData {
+    verdict: &'static str,
+    title: String,
+    convention: &'static str,
+    statement: StatementData,
+    residual: Vec<ResidualData>,
+    corrections: Vec<CorrectionData>,
+}
+
+#[derive(Debug, Serialize)]
+struct ResidualData {
+    index: (u32, u32),
+    value: String,
+}
+
+#[derive(Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+enum CorrectionData {
+    Entry { point: Option<(usize, usize)>, coordinate: &'static str, printed: String, right: String },
+    Scale { point: Option<(usize, usize)>, factor: String },
+    Convention { point: Option<(usize, usize)>, meant: &'static str },
+}
+
+/// The audit of a net as data.
+pub fn net_data(net: &PrintedNet, audit: &NetAudit) -> NetData {
+    let ring = Ring { field: net.field.clone(), variables: Vec::new() };
+    let spell = |value: &Polynomial| ring.spell(value);
+    let corrections = audit.corrections.iter().map(|correction| {
+        let point = correction.point;
+        match &correction.change {
+            NetChange::Entry { coordinate, printed, right } => CorrectionData::Entry {
+                point,
+                coordinate: net.convention.names()[*coordinate],
+                printed: spell(printed),
+                right: spell(right),
+            },
+            NetChange::Scale(factor) => CorrectionData::Scale { point, factor: spell(factor) },
+            NetChange::Convention { meant } => CorrectionData::Convention { point, meant: meant.word() },
+        }
+    });
+    let residual = audit.residual.iter().map(|(r, s, value)| ResidualData { index: (*r, *s), value: spell(value) });
+    NetData {
+        verdict: if audit.agrees { "AGREES" } else { "DIFFERS" },
+        title: net.title.clone(),
+        convention: net.convention.word(),
+        statement: statement_data(&audit.statement),
+        residual: residual.collect(),
+        corrections: corrections.collect(),
+    }
+}
