@@ -12,7 +12,7 @@ use prove_cap::exact::Work;
 use prove_cap::geometry::{CubeFace, GreatCircleArc, dot};
 use prove_cap::prove::{condition_of, field_of};
 use prove_cap::statement::{Statement, Subject};
-use prove_cap::{catalogue, report};
+use prove_cap::{catalogue, expand};
 
 /// A statement with a random net in two unknowns and a random choice of surface and convention.
 fn random_statement() -> impl Strategy<Value = String> {

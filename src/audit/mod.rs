@@ -24,7 +24,7 @@ use compare::{Printed, compare};
 
 use crate::elimination::{Control, Interrupted};
 use crate::exact::{Limit, Work};
-use crate::listing::{Listing, ListingError, ListingFault, Scope, Symbol};
+use crate::listing::{Listing, ListingError, ListingFault, Meaning, Scope, Symbol};
 use crate::statement::{Place, Statement};
 
 /// The paper's listing: Eq. 11, and what the paper claims beside it.
@@ -132,8 +132,8 @@ impl Audit {
 fn scope(listing: &Listing, statement: &Statement) -> Result<Scope, ListingError> {
     let unknowns = Scope::of(statement.field(), statement.unknowns());
     let mut given = Vec::new();
-    for (name, meaning) in &listing.names {
-        let value = meaning.value_within(&unknowns, &mut Work::full()).map_err(|limit| {
+    for Meaning { name, expression, span } in &listing.names {
+        let value = expression.value_within(&unknowns, &mut Work::full()).map_err(|limit| {
             let message = match limit {
                 Some(limit) => limit.to_string(),
                 None => format!(
@@ -142,7 +142,7 @@ fn scope(listing: &Listing, statement: &Statement) -> Result<Scope, ListingError
                 ),
             };
             ListingError {
-                place: Place::of(&listing.text, 0..0),
+                place: Place::of(&listing.text, span.clone()),
                 fault: ListingFault::File { message },
             }
         })?;

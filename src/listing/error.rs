@@ -173,6 +173,7 @@ pub(super) fn shown(rest: &str) -> String {
     } else if word.is_empty() {
         "a blank".into()
     } else {
-        format!("`{}`", word.escape_debug())
+        let plain = |c: char| if c.is_control() { '\u{fffd}' } else { c };
+        format!("`{}`", word.chars().map(plain).collect::<String>())
     }
 }

@@ -1,5 +1,7 @@
 //! A listing file: what was printed, where, and what it is held against.
 
+use std::ops::Range;
+
 use super::claim::{self, Claim};
 use super::error::{ListingFault, Located};
 use super::expression::{Expression, Formula};
@@ -20,6 +22,17 @@ pub enum Notation {
     Plain,
 }
 
+/// What a name of a listing means.
+#[derive(Debug, Clone)]
+pub struct Meaning {
+    /// The name.
+    pub name: Symbol,
+    /// An expression in the unknowns of the statement.
+    pub expression: Expression,
+    /// Where that is said.
+    pub span: Range<usize>,
+}
+
 /// A printed listing.
 #[derive(Debug, Clone)]
 pub struct Listing {
@@ -35,8 +48,8 @@ pub struct Listing {
     pub basis: Basis,
     /// What is printed.
     pub formulas: Vec<Formula>,
-    /// What the listing's names mean: expressions in the unknowns of the statement.
-    pub names: Vec<(Symbol, Expression)>,
+    /// What the listing's names mean.
+    pub names: Vec<Meaning>,
     /// Labels with the indices of their coefficients.
     pub labels: Vec<(Symbol, Vec<u32>)>,
     /// Other claims of the same source.
@@ -93,7 +106,8 @@ impl Listing {
         let mut names = Vec::new();
         if let Some(entries) = table.table("names")? {
             for (key, value) in entries.entries() {
-                names.push((Symbol::new(key.get_ref()), entries.expression(value, key.get_ref())?));
+                let expression = entries.expression(value, key.get_ref())?;
+                names.push(Meaning { name: Symbol::new(key.get_ref()), expression, span: value.span() });
             }
         }
         let mut labels = Vec::new();
@@ -125,7 +139,8 @@ impl Listing {
         let formulas = Reader::Plain.read(mapping)?;
         match <[Formula; 1]>::try_from(formulas) {
             Ok([formula]) if formula.labels.len() == 1 => {
-                self.names.push((formula.labels[0].0.clone(), formula.expression));
+                let name = formula.labels[0].0.clone();
+                self.names.push(Meaning { name, expression: formula.expression, span: 0..0 });
                 Ok(())
             }
             _ => {

@@ -107,7 +107,8 @@ impl<'a> Parser<'a> {
 
     /// The bytes of the next token, or of the end.
     fn place(&self) -> Range<usize> {
-        let end = self.tokens.last().map_or(0, |token| token.span.end);
+        let printed = self.tokens.iter().rev().find(|token| token.kind != Kind::Row);
+        let end = printed.map_or(0, |token| token.span.end);
         self.peek().map_or(end..end, |token| token.span.clone())
     }
 

@@ -182,6 +182,7 @@ impl<'a> Lexer<'a> {
             ',' | ';' => self.push(Kind::Separator, 1),
             // The full stop after a formula; inside a number it has been read already.
             '.' if !self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) => self.at += 1,
+            '.' => self.expected("a digit in front of the decimal point")?,
             _ => self.expected("a formula")?,
         }
         Ok(true)

@@ -21,7 +21,7 @@ pub use error::{ListingError, ListingFault};
 pub use evaluate::Scope;
 pub(crate) use evaluate::evaluate;
 pub use expression::{Expression, Formula, Kind, Operator, Signed};
-pub use file::{Listing, Notation};
+pub use file::{Listing, Meaning, Notation};
 pub use table::{convention_word, is_net};
 pub use token::Symbol;
 

@@ -66,7 +66,8 @@ impl<'a> Lexer<'a> {
             c if c.is_alphabetic() => self.name(),
             c if SUPERSCRIPTS.contains(c) => self.superscript(),
             _ => {
-                let fault = ListingFault::Expected { expected: "a formula", found: shown(self.rest()) };
+                let expected = if first == '.' { "a digit in front of the decimal point" } else { "a formula" };
+                let fault = ListingFault::Expected { expected, found: shown(self.rest()) };
                 return Err((fault, self.at..self.at + length));
             }
         }

@@ -51,7 +51,7 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
         let _ = writeln!(text, "   … and {} more", audit.residual.len() - SHOWN);
     }
     if let Some((r, s, value)) = audit.largest() {
-        let _ = writeln!(text, "   The largest is c[{r},{s}] = {}", decimal(value, 20, &net.field)?);
+        let _ = writeln!(text, "   The largest is c[{r},{s}] = {}…", decimal(value, 20, &net.field)?);
     }
     text.push('\n');
     let _ = match audit.corrections.len() {

@@ -75,10 +75,15 @@ pub(super) fn independent(at: &Claimed<'_>, labels: &[Symbol]) -> Result<Judged,
     let (rank, all) = (span.rank(), labels.len());
     evidence.insert(0, Phrase::words(format!("over {} they have rank {rank}", at.case.statement.field())));
     if rank < all {
-        let everything: Vec<Polynomial> =
-            at.case.findings.iter().map(|f| polynomial_from_exact(field, &f.truth)).collect();
+        let same = labels.first().and_then(|label| at.case.targets.resolve(label));
+        let all = same.map_or(Vec::new(), |target| at.case.targets.like(target));
+        let values = all.into_iter().filter_map(|target| at.case.targets.value(target));
+        let everything: Vec<Polynomial> = values
+            .filter(|value| !value.is_zero())
+            .map(|value| polynomial_from_exact(field, value))
+            .collect();
         evidence.push(Phrase::words(format!(
-            "all {} listed coefficients span a space of dimension {}",
+            "all {} coefficients that are not zero span a space of dimension {}",
             everything.len(),
             Span::of(field, &everything).rank()
         )));
@@ -100,7 +105,10 @@ fn combination(label: &Symbol, others: &[Symbol], scalars: &[FieldElement]) -> R
             (false, false) => " + ",
             (false, true) => " − ",
         });
-        phrase = phrase.factor(&scalar).and("·").label(other.as_str());
+        if !scalar.is_one() {
+            phrase = phrase.factor(&scalar).and("·");
+        }
+        phrase = phrase.label(other.as_str());
         first = false;
     }
     Ok(if first { phrase.and("0") } else { phrase })
