@@ -300,13 +300,21 @@ fn true_claims_hold_and_their_twins_fail() {
         ),
         ("independent = [\"a1\", \"a2\"]", "independent = [\"a1\", \"a2\", \"a4\"]", "a4 = a1 + a2"),
         (
-            &*format!("solve = [\"a1\", \"a2\"]\nsolution = {{ w = \"1/2\", z = \"4*sqrt(3)/3\" }}\n{variables}"),
-            &*format!("solve = [\"a1\", \"a2\"]\nsolution = {{ w = \"1/3\", z = \"4*sqrt(3)/3\" }}\n{variables}"),
+            &*format!(
+                "solve = [\"a1\", \"a2\"]\nsolution = {{ w = \"1/2\", z = \"4*sqrt(3)/3\" }}\n{variables}"
+            ),
+            &*format!(
+                "solve = [\"a1\", \"a2\"]\nsolution = {{ w = \"1/3\", z = \"4*sqrt(3)/3\" }}\n{variables}"
+            ),
             "the only solution has w = 1/2, w·z = 2√3/3",
         ),
         (
-            &*format!("solve = [\"a1\", \"a2\"]\nsolution = {{ w = \"1/2\", z = \"4*sqrt(3)/3\" }}\n{variables}"),
-            &*format!("solve = [\"a3\", \"a4\"]\nsolution = {{ w = \"1/2\", z = \"4*sqrt(3)/3\" }}\n{variables}"),
+            &*format!(
+                "solve = [\"a1\", \"a2\"]\nsolution = {{ w = \"1/2\", z = \"4*sqrt(3)/3\" }}\n{variables}"
+            ),
+            &*format!(
+                "solve = [\"a3\", \"a4\"]\nsolution = {{ w = \"1/2\", z = \"4*sqrt(3)/3\" }}\n{variables}"
+            ),
             "a family of solutions of dimension 1",
         ),
         (

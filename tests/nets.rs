@@ -21,11 +21,9 @@ fn matlab(name: &str, convention: Convention) -> PrintedNet {
 
 #[test]
 fn the_positive_controls_agree() {
-    for net in [
-        cobb(),
-        matlab("octant", Convention::Homogeneous),
-        matlab("stereographic", Convention::Cartesian),
-    ] {
+    for net in
+        [cobb(), matlab("octant", Convention::Homogeneous), matlab("stereographic", Convention::Cartesian)]
+    {
         let audit = audit(&net);
         assert!(audit.agrees, "{}", net.title);
         assert!(audit.residual.is_empty() && audit.corrections.is_empty());
@@ -138,7 +136,8 @@ fn json_error(text: &str) -> String {
 
 #[test]
 fn json_that_is_no_net_is_refused() {
-    let net = |body: &str| format!("{{\"convention\": \"homogeneous\", \"radicands\": [2], \"net\": {body}}}");
+    let net =
+        |body: &str| format!("{{\"convention\": \"homogeneous\", \"radicands\": [2], \"net\": {body}}}");
     for (text, complaint) in [
         ("{".to_owned(), "the file: EOF while parsing an object at line 1 column 1"),
         (
@@ -151,7 +150,10 @@ fn json_that_is_no_net_is_refused() {
         (net("[[[1,2,3,0.5]]]"), "net[0][0][3]: expected an exact number: put decimals into quotes"),
         (net("[[[1,2,3,\"x\"]]]"), "net[0][0][3]: `x` is none of the unknowns, expected numbers only"),
         (net("[[[1,2,3,\"sqrt(5)\"]]]"), "net[0][0][3]: this square root is not in Q(√2)"),
-        (net("[[[1,2,3,\"1/2 2\"]]]"), "net[0][0][3]: ambiguous: is this factor part of the divisor? write brackets, 1/(2w) or (1/2)w, or \\frac"),
+        (
+            net("[[[1,2,3,\"1/2 2\"]]]"),
+            "net[0][0][3]: ambiguous: is this factor part of the divisor? write brackets, 1/(2w) or (1/2)w, or \\frac",
+        ),
         (net("[[[1,2,3,4]]]"), "net: 1 × 1 points, expected from 2 × 2 to 33 × 33"),
         (net("[[[1,2,3,4],[1,2,3,4]],[[1,2,3,4]]]"), "net: row 1 has 1 points, row 0 has 2"),
         (
@@ -183,11 +185,26 @@ fn matlab_that_is_no_net_is_refused() {
     let error = |text: &str| from_matlab(text, "", Convention::Homogeneous).unwrap_err().to_string();
     for (text, complaint) in [
         ("x", "1:1: expected an assignment, found `x`\n    1 | x\n      | ^"),
-        ("c(:,:,0) = [1]", "1:1: expected a name, NAME(:,:,j) or NAME(i,j,:), indices from 1 to 33, found `c(:,:,0)`\n    1 | c(:,:,0) = [1]\n      | ^^^^^^^^^"),
-        ("c(:,:,1) = [1 2; 3 4]", "1:12: expected four rows: x, y, z and w, found `[1 2; 3 4]`\n    1 | c(:,:,1) = [1 2; 3 4]\n      |            ^^^^^^^^^^"),
-        ("c(:,:,1) = [1; 2; 3; 4 5]", "1:12: expected four rows of one length, found `[1; 2; 3; 4 5]`\n    1 | c(:,:,1) = [1; 2; 3; 4 5]\n      |            ^^^^^^^^^^^^^^"),
-        ("c(1,1,:) = [1 2 3]", "1:12: expected four numbers: x, y, z and w, found `[1 2 3]`\n    1 | c(1,1,:) = [1 2 3]\n      |            ^^^^^^^"),
-        ("s = sqrt(2) * t", "1:15: `t` is none of the unknowns, expected numbers only\n    1 | s = sqrt(2) * t\n      |               ^"),
+        (
+            "c(:,:,0) = [1]",
+            "1:1: expected a name, NAME(:,:,j) or NAME(i,j,:), indices from 1 to 33, found `c(:,:,0)`\n    1 | c(:,:,0) = [1]\n      | ^^^^^^^^^",
+        ),
+        (
+            "c(:,:,1) = [1 2; 3 4]",
+            "1:12: expected four rows: x, y, z and w, found `[1 2; 3 4]`\n    1 | c(:,:,1) = [1 2; 3 4]\n      |            ^^^^^^^^^^",
+        ),
+        (
+            "c(:,:,1) = [1; 2; 3; 4 5]",
+            "1:12: expected four rows of one length, found `[1; 2; 3; 4 5]`\n    1 | c(:,:,1) = [1; 2; 3; 4 5]\n      |            ^^^^^^^^^^^^^^",
+        ),
+        (
+            "c(1,1,:) = [1 2 3]",
+            "1:12: expected four numbers: x, y, z and w, found `[1 2 3]`\n    1 | c(1,1,:) = [1 2 3]\n      |            ^^^^^^^",
+        ),
+        (
+            "s = sqrt(2) * t",
+            "1:15: `t` is none of the unknowns, expected numbers only\n    1 | s = sqrt(2) * t\n      |               ^",
+        ),
         ("c(2,2,:) = [1 2 3 4]", "control point (1, 1) is missing"),
         ("", "0 × 0 points, expected from 2 × 2 to 33 × 33"),
     ] {

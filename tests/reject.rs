@@ -92,11 +92,7 @@ fn wrong_listings_are_refused_with_the_exact_complaint() {
         compare(file, &error.to_string());
         seen.insert(promised(file));
     }
-    assert_eq!(
-        seen,
-        variants("src/listing/error.rs", "ListingFault"),
-        "one file at least for each variant"
-    );
+    assert_eq!(seen, variants("src/listing/error.rs", "ListingFault"), "one file at least for each variant");
 }
 
 #[test]

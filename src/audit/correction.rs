@@ -196,7 +196,13 @@ impl Search<'_> {
     }
 
     /// What adding 1 to a number (to its reciprocal, below a slash) adds to the value, if that is linear.
-    fn free_number(&self, index: usize, printed: &BigRational, below: bool, work: &mut Work) -> Option<Effect> {
+    fn free_number(
+        &self,
+        index: usize,
+        printed: &BigRational,
+        below: bool,
+        work: &mut Work,
+    ) -> Option<Effect> {
         if below && printed.is_zero() {
             return None;
         }

@@ -89,8 +89,9 @@ impl Audit {
         for formula in &listing.formulas {
             let value = formula.expression.value(&listing.text, &scope, &mut Work::full())?;
             for (label, span) in &formula.labels {
-                let fault = |fault: ListingFault| {
-                    ListingError { place: Place::of(&listing.text, span.clone()), fault }
+                let fault = |fault: ListingFault| ListingError {
+                    place: Place::of(&listing.text, span.clone()),
+                    fault,
                 };
                 let target = targets.resolve(label).ok_or_else(|| {
                     let label = label.as_str().chars().take(40).collect();

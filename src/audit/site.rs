@@ -55,12 +55,9 @@ struct Context {
 fn walk<'a>(part: &'a Expression, context: Context, visit: &mut dyn FnMut(Site<'a>) -> bool) -> bool {
     let inside = Context { below: false, raised: false, ..context };
     match &part.kind {
-        Kind::Number(_) => {
-            visit(Site::Number { part, in_root: context.in_root, below: context.below })
-        }
+        Kind::Number(_) => visit(Site::Number { part, in_root: context.in_root, below: context.below }),
         Kind::Name(_) => {
-            visit(Site::Name(part))
-                || (!context.raised && visit(Site::Exponent { whole: part, exponent: 1 }))
+            visit(Site::Name(part)) || (!context.raised && visit(Site::Exponent { whole: part, exponent: 1 }))
         }
         Kind::Sum(terms) => {
             terms.iter().any(|term| visit(Site::Sign(term)) || walk(&term.term, inside, visit))

@@ -99,11 +99,8 @@ pub(super) fn solve(
     right: &[FieldElement],
     columns: usize,
 ) -> (usize, Solutions) {
-    let mut rows: Vec<Vec<FieldElement>> = matrix
-        .iter()
-        .zip(right)
-        .map(|(row, value)| row.iter().chain([value]).cloned().collect())
-        .collect();
+    let mut rows: Vec<Vec<FieldElement>> =
+        matrix.iter().zip(right).map(|(row, value)| row.iter().chain([value]).cloned().collect()).collect();
     let mut pivots = Vec::new();
     for column in 0..columns {
         let rank = pivots.len();

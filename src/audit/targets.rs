@@ -34,11 +34,7 @@ impl Targets {
     ///
     /// # Errors
     /// Where a coefficient exceeds what the formats allow.
-    pub fn of(
-        statement: &Statement,
-        labels: &[(Symbol, Vec<u32>)],
-        basis: Basis,
-    ) -> Result<Self, Limit> {
+    pub fn of(statement: &Statement, labels: &[(Symbol, Vec<u32>)], basis: Basis) -> Result<Self, Limit> {
         let monomial = coefficients(statement, Basis::Monomial)?.unwrap_or_default();
         let bernstein = coefficients(statement, Basis::Bernstein)?.unwrap_or_default();
         let equations = match statement.subject() {

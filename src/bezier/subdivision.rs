@@ -94,12 +94,8 @@ fn halves(field: MultiquadraticField, part: &Part, (m, n): (u32, u32)) -> [Part;
     let (u, v) = part.corner.clone();
     let depth = if along_u { (part.depth.0 + 1, part.depth.1) } else { (part.depth.0, part.depth.1 + 1) };
     let shift = |depth: u32| field.rational(Integer::one(), Integer::from(1i64 << depth));
-    let middle =
-        if along_u { (&u + &shift(depth.0), v.clone()) } else { (u.clone(), &v + &shift(depth.1)) };
-    [
-        Part { corner: (u, v), depth, coefficients: low },
-        Part { corner: middle, depth, coefficients: high },
-    ]
+    let middle = if along_u { (&u + &shift(depth.0), v.clone()) } else { (u.clone(), &v + &shift(depth.1)) };
+    [Part { corner: (u, v), depth, coefficients: low }, Part { corner: middle, depth, coefficients: high }]
 }
 
 /// The value of a form with constant coefficients at a point.

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use super::outcome::{Failure, Outcome, Status};
 use super::audit::{self, AuditOptions};
+use super::outcome::{Failure, Outcome, Status};
 use super::{check, expand, list, prove};
 use crate::expand::Basis;
 

@@ -105,7 +105,9 @@ fn failure(options: &AuditOptions, error: &AuditError) -> Failure {
 
 fn audit_listing(mut listing: Listing, options: &AuditOptions, format: Format) -> Result<Outcome, Failure> {
     if options.convention.is_some() || options.surface.is_some() {
-        return Err(Failure("--convention and --surface are for nets; this is a listing of formulas".to_owned()));
+        return Err(Failure(
+            "--convention and --surface are for nets; this is a listing of formulas".to_owned(),
+        ));
     }
     for mapping in &options.names {
         listing.map_name(mapping).map_err(|error| Failure(format!("--name: {error}")))?;
@@ -121,7 +123,8 @@ fn audit_listing(mut listing: Listing, options: &AuditOptions, format: Format) -
     });
     let Some(named) = named else {
         return Err(Failure(
-            "what is the listing to be held against? name a statement with --statement (see `list`)".to_owned(),
+            "what is the listing to be held against? name a statement with --statement (see `list`)"
+                .to_owned(),
         ));
     };
     let source = Source::find(&named)?;

@@ -11,7 +11,9 @@ use crate::report::{describe_expansion, json};
 pub(super) fn run(name_or_file: &Path, basis: Basis, format: Format) -> Result<Outcome, Failure> {
     let source = Source::find(name_or_file)?;
     match format {
-        Format::Text | Format::Latex => describe_expansion(&source.statement, basis).map_err(Failure::of).map(Outcome::plain),
+        Format::Text | Format::Latex => {
+            describe_expansion(&source.statement, basis).map_err(Failure::of).map(Outcome::plain)
+        }
         Format::Json => {
             let data = serde_json::json!({
                 "name": source.name,

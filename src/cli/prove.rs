@@ -35,8 +35,10 @@ pub(super) fn run(
         Attempt::Undecided(_) => None,
     };
     let text = match format {
-        Format::Text | Format::Latex => describe(&source.name, &source.statement, source.cap, &attempt, files.as_ref())
-            .map_err(Failure::of)?,
+        Format::Text | Format::Latex => {
+            describe(&source.name, &source.statement, source.cap, &attempt, files.as_ref())
+                .map_err(Failure::of)?
+        }
         Format::Json => {
             let data = json::attempt(&source.name, &source.statement, &attempt, files.as_ref())
                 .map_err(Failure::of)?;

@@ -98,9 +98,27 @@ pub enum Expectation {
 }
 
 const KEYS: [&str; 21] = [
-    "where", "says", "remark", "relation", "symmetric", "linear", "independent", "solve", "variables",
-    "solution", "least_squares", "at", "values", "radius", "proved", "quantity", "printed", "expected", "unchecked",
-    "decimal", "of",
+    "where",
+    "says",
+    "remark",
+    "relation",
+    "symmetric",
+    "linear",
+    "independent",
+    "solve",
+    "variables",
+    "solution",
+    "least_squares",
+    "at",
+    "values",
+    "radius",
+    "proved",
+    "quantity",
+    "printed",
+    "expected",
+    "unchecked",
+    "decimal",
+    "of",
 ];
 
 /// Reads one `[[claim]]`.
@@ -195,7 +213,10 @@ fn variables(table: &Table<'_, '_>) -> Result<Vec<Expression>, Located> {
 
 fn point(table: &Table<'_, '_>, key: &str) -> Result<Vec<(Symbol, Expression)>, Located> {
     let Some(values) = table.table(key)? else {
-        return Err(file_fault(format!("`{key}` is missing, expected the values of the unknowns"), table.span()));
+        return Err(file_fault(
+            format!("`{key}` is missing, expected the values of the unknowns"),
+            table.span(),
+        ));
     };
     let read = |(key, value): (&toml::Spanned<std::borrow::Cow<'_, str>>, &Value<'_>)| {
         Ok((Symbol::new(key.get_ref()), values.expression(value, key.get_ref())?))

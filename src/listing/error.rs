@@ -101,14 +101,20 @@ impl fmt::Display for ListingFault {
                 write!(f, "ambiguous: two numbers side by side; write 2·3 for the product")
             }
             Fault::NumberAfterFactor => {
-                write!(f, "ambiguous: a number behind a factor; write it in front, or an operator between them")
+                write!(
+                    f,
+                    "ambiguous: a number behind a factor; write it in front, or an operator between them"
+                )
             }
             Fault::MixedNumber => write!(
                 f,
                 "ambiguous: a mixed number or a product? write 2·(1/3) or 7/3, with an operator between them"
             ),
             Fault::BareDigits { digits } => {
-                write!(f, "ambiguous: without braces only the first digit of {digits} counts; write {{{digits}}}")
+                write!(
+                    f,
+                    "ambiguous: without braces only the first digit of {digits} counts; write {{{digits}}}"
+                )
             }
             Fault::ProductAfterRoot => {
                 write!(f, "ambiguous: does the root reach over this factor? write √(…), or an operator")

@@ -156,7 +156,8 @@ impl Listing {
     /// Where that is not a label and its indices.
     pub fn map_label(&mut self, mapping: &str) -> Result<(), ListingError> {
         let split = mapping.split_once('=').and_then(|(label, indices)| {
-            let indices: Option<Vec<u32>> = indices.split(',').map(|index| index.trim().parse().ok()).collect();
+            let indices: Option<Vec<u32>> =
+                indices.split(',').map(|index| index.trim().parse().ok()).collect();
             Some((Symbol::new(label), indices?)).filter(|(label, _)| !label.as_str().is_empty())
         });
         match split {

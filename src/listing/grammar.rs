@@ -17,6 +17,7 @@ use num_traits::{ToPrimitive, Zero};
 
 use super::error::{ListingFault, Located, shown};
 use super::expression::{Expression, Formula, Kind as Part, Operator, Signed};
+use super::pieces::pieces;
 use super::token::{Bracket, Kind, Token};
 use crate::exact::{Limit, limits};
 
@@ -41,34 +42,6 @@ pub(super) fn expression(text: &str, tokens: &[Token]) -> Result<Expression, Loc
         None => Ok(expression),
         Some(_) => parser.expected("an operator or the end"),
     }
-}
-
-/// Cuts after each separator and in front of each row that has an `=`; drops pieces without content.
-fn pieces(tokens: &[Token]) -> Vec<&[Token]> {
-    let mut cuts = vec![0];
-    let mut row_start = 0;
-    let mut depth = 0u32;
-    for (index, token) in tokens.iter().enumerate() {
-        match token.kind {
-            Kind::Separator if depth == 0 => {
-                cuts.push(index);
-                row_start = index + 1;
-            }
-            Kind::Row => row_start = index,
-            Kind::Open(_) => depth += 1,
-            Kind::Close(_) => depth = depth.saturating_sub(1),
-            Kind::Equals if cuts.last().is_none_or(|&last| last < row_start) => {
-                // A second `=` of the same row belongs to the same formula.
-                cuts.push(row_start);
-                depth = 0;
-            }
-            _ => {}
-        }
-    }
-    cuts.push(tokens.len());
-    let content = |token: &Token| !matches!(token.kind, Kind::Row | Kind::Separator);
-    let pieces = cuts.windows(2).map(|pair| &tokens[pair[0]..pair[1]]);
-    pieces.filter(|piece| piece.iter().any(content)).collect()
 }
 
 struct Parser<'a> {

@@ -5,6 +5,7 @@
 //! doubtful spellings are read or refused are in `LISTINGS.md`.
 
 mod claim;
+mod display;
 mod error;
 mod evaluate;
 mod expression;
@@ -12,6 +13,7 @@ mod file;
 mod grammar;
 mod latex;
 mod number;
+mod pieces;
 mod plain;
 mod table;
 mod token;
@@ -95,8 +97,10 @@ pub fn decode(bytes: &[u8]) -> Result<&str, ListingError> {
     }
     std::str::from_utf8(bytes).map_err(|error| {
         let valid = String::from_utf8_lossy(&bytes[..error.valid_up_to()]).into_owned();
-        let fault =
-            ListingFault::Expected { expected: "UTF-8 text", found: format!("byte {}", error.valid_up_to() + 1) };
+        let fault = ListingFault::Expected {
+            expected: "UTF-8 text",
+            found: format!("byte {}", error.valid_up_to() + 1),
+        };
         ListingError::at(&valid, (fault, valid.len()..valid.len()))
     })
 }

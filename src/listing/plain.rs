@@ -66,7 +66,8 @@ impl<'a> Lexer<'a> {
             c if c.is_alphabetic() => self.name(),
             c if SUPERSCRIPTS.contains(c) => self.superscript(),
             _ => {
-                let expected = if first == '.' { "a digit in front of the decimal point" } else { "a formula" };
+                let expected =
+                    if first == '.' { "a digit in front of the decimal point" } else { "a formula" };
                 let fault = ListingFault::Expected { expected, found: shown(self.rest()) };
                 return Err((fault, self.at..self.at + length));
             }
@@ -88,10 +89,11 @@ impl<'a> Lexer<'a> {
         let after = &rest[length..];
         let indices = |open: char, close: char| {
             let inside = after.strip_prefix(open)?.split_once(close)?.0;
-            let plain = !inside.is_empty() && inside.split(',').all(|index| {
-                let index = index.trim();
-                digits_at(index) == index.len() && !index.is_empty()
-            });
+            let plain = !inside.is_empty()
+                && inside.split(',').all(|index| {
+                    let index = index.trim();
+                    digits_at(index) == index.len() && !index.is_empty()
+                });
             plain.then_some(inside.len() + 2)
         };
         let braced = if rest[..length].ends_with('_') { indices('{', '}') } else { None };

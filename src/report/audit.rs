@@ -35,8 +35,7 @@ pub fn describe_audit(listing: &Listing, name: &str, statement: &Statement, audi
 
 /// `DIFFERS  3 of 16 …`.
 pub(super) fn headline(audit: &Audit) -> String {
-    let wrong: Vec<&str> =
-        audit.findings.iter().filter(|f| !f.agrees()).map(|f| f.label.as_str()).collect();
+    let wrong: Vec<&str> = audit.findings.iter().filter(|f| !f.agrees()).map(|f| f.label.as_str()).collect();
     let all = audit.findings.len();
     let listed = match (wrong.len(), all) {
         (0, 1) => "the one printed coefficient is right".to_owned(),
@@ -63,7 +62,9 @@ pub(super) fn target_text(target: Target) -> String {
         Target::Monomial(i, j) => {
             let power = |name: &str, exponent: u32| match exponent {
                 0 => String::new(),
-                exponent => format!("{name}{}", if exponent == 1 { String::new() } else { superscript_of(exponent) }),
+                exponent => {
+                    format!("{name}{}", if exponent == 1 { String::new() } else { superscript_of(exponent) })
+                }
             };
             let text = power("u", i) + &power("v", j);
             if text.is_empty() { "1".into() } else { text }
@@ -121,8 +122,9 @@ fn difference(notation: &Notation, finding: &Finding) -> String {
         std::array::from_fn(|k| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0));
     for row in &rows {
         let cells = row.iter().zip(width);
-        let padded: Vec<String> =
-            cells.map(|(cell, width)| format!("{cell}{}", " ".repeat(width - cell.chars().count()))).collect();
+        let padded: Vec<String> = cells
+            .map(|(cell, width)| format!("{cell}{}", " ".repeat(width - cell.chars().count())))
+            .collect();
         let _ = writeln!(text, "   {}", padded.join("   ").trim_end());
     }
     for relation in &finding.relations {

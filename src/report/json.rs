@@ -158,11 +158,8 @@ pub fn expansion(statement: &Statement, basis: Basis) -> Result<Option<Vec<Coeff
     let ring = statement.ring();
     let data = |list: Vec<Coefficient>| {
         let nonzero = list.into_iter().filter(|coefficient| !coefficient.value.is_zero());
-        let entry = |c: Coefficient| CoefficientData {
-            value: ring.spell(&c.value),
-            name: c.name,
-            index: c.index,
-        };
+        let entry =
+            |c: Coefficient| CoefficientData { value: ring.spell(&c.value), name: c.name, index: c.index };
         nonzero.map(entry).collect()
     };
     Ok(coefficients(statement, basis)?.map(data))

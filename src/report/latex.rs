@@ -32,9 +32,10 @@ pub fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit
     let _ = writeln!(text, "\\textbf{{{}}}\n", prose(&headline(audit)));
     let _ = writeln!(text, "Held against \\texttt{{{}}}: {}.\n", prose(name), prose(statement.title()));
     text += "\\subsection*{The true coefficients}\n\\begin{align*}\n";
-    let rows = audit.findings.iter().map(|finding| {
-        format!("{} &= {}", label(finding.label.as_str()), display(&ring, &finding.truth))
-    });
+    let rows = audit
+        .findings
+        .iter()
+        .map(|finding| format!("{} &= {}", label(finding.label.as_str()), display(&ring, &finding.truth)));
     text += &rows.collect::<Vec<_>>().join(" \\\\\n");
     text += "\n\\end{align*}\n";
     for finding in audit.findings.iter().filter(|finding| !finding.agrees()) {
@@ -48,7 +49,8 @@ pub fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit
                 "" => String::new(),
                 remark => format!(" (Remark: {}.)", prose(remark)),
             };
-            let evidence: Vec<String> = verdict.evidence.iter().map(|phrase| sentence(&ring, phrase)).collect();
+            let evidence: Vec<String> =
+                verdict.evidence.iter().map(|phrase| sentence(&ring, phrase)).collect();
             let _ = writeln!(
                 text,
                 "{} & {} & {}. {}{remark} \\\\",

@@ -55,7 +55,10 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
     }
     text.push('\n');
     let _ = match audit.corrections.len() {
-        0 => writeln!(text, "No change of a single number, and no change of convention, puts the net on the surface."),
+        0 => writeln!(
+            text,
+            "No change of a single number, and no change of convention, puts the net on the surface."
+        ),
         1 => writeln!(text, "One single change puts the net on the surface:"),
         many => writeln!(text, "{many} single changes put the net on the surface, each alone:"),
     };
@@ -140,7 +143,8 @@ pub fn net_data(net: &PrintedNet, audit: &NetAudit) -> NetData {
             NetChange::Convention { meant } => CorrectionData::Convention { point, meant: meant.word() },
         }
     });
-    let residual = audit.residual.iter().map(|(r, s, value)| ResidualData { index: (*r, *s), value: spell(value) });
+    let residual =
+        audit.residual.iter().map(|(r, s, value)| ResidualData { index: (*r, *s), value: spell(value) });
     NetData {
         verdict: if audit.agrees { "AGREES" } else { "DIFFERS" },
         title: net.title.clone(),

@@ -7,10 +7,10 @@ mod radius;
 mod relation;
 mod solution;
 
+use super::AuditError;
 use super::compare::Finding;
 use super::phrase::Phrase;
 use super::targets::Targets;
-use super::AuditError;
 use crate::elimination::Control;
 use crate::exact::{Limit, Polynomial, Work};
 use crate::listing::{Claim, ClaimKind, Expression, Listing, ListingError, ListingFault, Scope, Symbol};

@@ -38,8 +38,6 @@ pub(super) fn proved(
             let judgement = if found == expected { Judgement::Holds } else { Judgement::Fails };
             (judgement, vec![Phrase::words(how)])
         }
-        Attempt::Undecided(_) => {
-            (Judgement::NotChecked, vec![Phrase::words(format!("{name}: UNDECIDED"))])
-        }
+        Attempt::Undecided(_) => (Judgement::NotChecked, vec![Phrase::words(format!("{name}: UNDECIDED"))]),
     })
 }

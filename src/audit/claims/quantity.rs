@@ -55,8 +55,7 @@ pub(super) fn quantity(at: &Claimed<'_>, name: &str, printed: &[Expression]) -> 
         (Symbol::new("R"), Some(exact::Polynomial::integer(1))),
     ]);
     let scope = Scope { field: at.case.statement.field().clone(), names };
-    let (mut holds, mut of_derived, mut of_printed) =
-        (true, Phrase::default(), Phrase::default());
+    let (mut holds, mut of_derived, mut of_printed) = (true, Phrase::default(), Phrase::default());
     for (position, (printed, derived)) in printed.iter().zip(&derived).enumerate() {
         let (printed, derived) = (at.value(printed, &scope)?, spelled(derived)?);
         holds &= printed == derived;

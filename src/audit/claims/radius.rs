@@ -34,7 +34,8 @@ pub(super) fn radius(
         return Err(at.wrong("a system of equations has no radius".to_owned()));
     };
     let patch = at.patch_at(patch, values)?;
-    let not_decided = |what: &str| Ok((Judgement::NotChecked, vec![Phrase::words(format!("not yet bounded: {what}"))]));
+    let not_decided =
+        |what: &str| Ok((Judgement::NotChecked, vec![Phrase::words(format!("not yet bounded: {what}"))]));
     // The denominator must keep its sign, or else the radius is not bounded at all.
     let weights = patch.net.iter().flatten().map(|point| &point[3]);
     for weight in weights {

@@ -88,9 +88,12 @@ pub(super) fn symmetric(at: &Claimed<'_>) -> Result<Judged, AuditError> {
             equal += 1;
         } else {
             evidence.push(
-                Phrase::default().label(finding.label.as_str()).and(" and ").label(other.label.as_str()).and(
-                    " differ by ",
-                ).formula(&at.difference(&finding.truth, &other.truth)?),
+                Phrase::default()
+                    .label(finding.label.as_str())
+                    .and(" and ")
+                    .label(other.label.as_str())
+                    .and(" differ by ")
+                    .formula(&at.difference(&finding.truth, &other.truth)?),
             );
         }
     }

@@ -58,7 +58,8 @@ pub(super) fn solution(
         let claimed = symbolic.substitute(&point, at.case.statement.field(), &mut Work::full())?;
         let found = polynomial_to_exact(&Polynomial::constant(found.clone()))?;
         holds &= claimed == found;
-        phrase = phrase.and(if position > 0 { ", " } else { "" }).formula(&symbolic).and(" = ").formula(&found);
+        phrase =
+            phrase.and(if position > 0 { ", " } else { "" }).formula(&symbolic).and(" = ").formula(&found);
     }
     evidence.push(phrase);
     Ok((if holds { Judgement::Holds } else { Judgement::Fails }, evidence))

@@ -163,8 +163,11 @@ fn common_roots(form: &BernsteinForm) -> Vec<FieldElement> {
         }
         Univariate::new(field, coefficients)
     };
-    let equations: Vec<Univariate> =
-        form.coefficients().filter(|(_, _, value)| !value.is_zero()).map(|(_, _, value)| univariate(value)).collect();
+    let equations: Vec<Univariate> = form
+        .coefficients()
+        .filter(|(_, _, value)| !value.is_zero())
+        .map(|(_, _, value)| univariate(value))
+        .collect();
     let Some(shortest) = equations.iter().min_by_key(|equation| equation.degree()) else { return Vec::new() };
     if shortest.degree() == 0 {
         return Vec::new();

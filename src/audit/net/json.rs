@@ -15,7 +15,8 @@ use crate::listing::{Expression, Scope};
 /// # Errors
 /// [`AuditError::Net`] with the place in the document and what was expected.
 pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
-    let document: Value = serde_json::from_str(text).map_err(|error| wrong("the file", &error.to_string()))?;
+    let document: Value =
+        serde_json::from_str(text).map_err(|error| wrong("the file", &error.to_string()))?;
     let convention = document["convention"].as_str().unwrap_or_default();
     let word = convention.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
     let convention = Convention::read(word).ok_or_else(|| {
@@ -25,14 +26,20 @@ pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
         Value::Null => Vec::new(),
         Value::Array(names) => names
             .iter()
-            .map(|name| name.as_str().and_then(root_of).ok_or_else(|| wrong("basis", "expected \"1\", \"sqrt2\", …")))
+            .map(|name| {
+                name.as_str().and_then(root_of).ok_or_else(|| wrong("basis", "expected \"1\", \"sqrt2\", …"))
+            })
             .collect::<Result<Vec<u32>, _>>()?,
         _ => return Err(wrong("basis", "expected a list")),
     };
     let radicands = match &document["radicands"] {
         Value::Array(list) => list
             .iter()
-            .map(|d| d.as_u64().and_then(|d| u32::try_from(d).ok()).ok_or_else(|| wrong("radicands", "expected primes")))
+            .map(|d| {
+                d.as_u64()
+                    .and_then(|d| u32::try_from(d).ok())
+                    .ok_or_else(|| wrong("radicands", "expected primes"))
+            })
             .collect::<Result<_, _>>()?,
         _ => prime_factors(&basis),
     };
@@ -48,7 +55,8 @@ pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
             let numbers = numbers.ok_or_else(|| wrong(&place, "expected four numbers"))?;
             let mut entries: [Polynomial; 4] = Default::default();
             for (k, number) in numbers.iter().enumerate() {
-                entries[k] = entry(number, &basis, &field).map_err(|why| wrong(&format!("{place}[{k}]"), &why))?;
+                entries[k] =
+                    entry(number, &basis, &field).map_err(|why| wrong(&format!("{place}[{k}]"), &why))?;
             }
             read.push(entries);
         }
@@ -72,7 +80,10 @@ pub(super) fn check_shape(points: &[Vec<[Polynomial; 4]>]) -> Result<(), String>
         return Err(format!("row {row} has {} points, row 0 has {columns}", points[row].len()));
     }
     if points.len() < 2 || columns < 2 || points.len() > at_most || columns > at_most {
-        return Err(format!("{} × {columns} points, expected from 2 × 2 to {at_most} × {at_most}", points.len()));
+        return Err(format!(
+            "{} × {columns} points, expected from 2 × 2 to {at_most} × {at_most}",
+            points.len()
+        ));
     }
     Ok(())
 }
@@ -128,7 +139,8 @@ fn entry(number: &Value, basis: &[u32], field: &Radicands) -> Result<Polynomial,
             }
             Polynomial::sum(&summands, field, &mut Work::full()).map_err(|limit| limit.to_string())
         }
-        _ => Err("expected an expression in quotes, an integer, or one coordinate for each basis element".to_owned()),
+        _ => Err("expected an expression in quotes, an integer, or one coordinate for each basis element"
+            .to_owned()),
     }
 }
 

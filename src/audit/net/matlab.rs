@@ -25,8 +25,13 @@ pub fn from_matlab(text: &str, title: &str, convention: Convention) -> Result<Pr
     let clean = without_comments(text);
     let field = Radicands::new(prime_factors(&roots_in(&clean)))
         .map_err(|error| AuditError::Net(format!("the square roots of the file: {error}")))?;
-    let mut reader =
-        Reader { text, clean: &clean, scope: Scope::of(&field, &[]), work: Work::full(), points: BTreeMap::new() };
+    let mut reader = Reader {
+        text,
+        clean: &clean,
+        scope: Scope::of(&field, &[]),
+        work: Work::full(),
+        points: BTreeMap::new(),
+    };
     for statement in statements(&clean) {
         reader.statement(statement)?;
     }
@@ -147,7 +152,10 @@ impl Reader<'_> {
                 self.points.insert((number(i).unwrap_or_default(), number(j).unwrap_or_default()), point);
                 Ok(())
             }
-            _ => Err(self.wrong(span.start..equals, "a name, NAME(:,:,j) or NAME(i,j,:), indices from 1 to 33")),
+            _ => {
+                Err(self
+                    .wrong(span.start..equals, "a name, NAME(:,:,j) or NAME(i,j,:), indices from 1 to 33"))
+            }
         }
     }
 

@@ -42,14 +42,12 @@ impl NetAudit {
     /// # Errors
     /// Where the net makes no statement (the reason in the words of the statement reader), or at a limit.
     pub fn of(net: &PrintedNet, control: &Control<'_>) -> Result<Self, AuditError> {
-        let statement = Statement::read(&net.statement()).map_err(|error| AuditError::Net(error.fault.to_string()))?;
+        let statement =
+            Statement::read(&net.statement()).map_err(|error| AuditError::Net(error.fault.to_string()))?;
         let all = coefficients(&statement, Basis::Bernstein)?.unwrap_or_default();
         let count = all.len();
-        let residual: Vec<_> = all
-            .into_iter()
-            .filter(|c| !c.value.is_zero())
-            .map(|c| (c.index.0, c.index.1, c.value))
-            .collect();
+        let residual: Vec<_> =
+            all.into_iter().filter(|c| !c.value.is_zero()).map(|c| (c.index.0, c.index.1, c.value)).collect();
         let attempt = prove(&statement, control).map_err(|error| match error {
             ProveError::TooLarge(limit) => AuditError::TooLarge(limit),
             other => AuditError::Net(other.to_string()),
@@ -60,7 +58,8 @@ impl NetAudit {
             }
             Attempt::Undecided(_) => false,
         };
-        let corrections = if residual.is_empty() { Vec::new() } else { correction::search(net, &statement, control)? };
+        let corrections =
+            if residual.is_empty() { Vec::new() } else { correction::search(net, &statement, control)? };
         Ok(NetAudit { statement, agrees, residual, coefficients: count, corrections })
     }
 

@@ -138,7 +138,8 @@ impl PrintedNet {
         );
         for row in &self.points {
             let point = |point: &[Polynomial; 4]| {
-                let entries: Vec<String> = point.iter().map(|entry| format!("\"{}\"", ring.spell(entry))).collect();
+                let entries: Vec<String> =
+                    point.iter().map(|entry| format!("\"{}\"", ring.spell(entry))).collect();
                 format!("[{}]", entries.join(", "))
             };
             let _ = writeln!(text, "  [{}],", row.iter().map(point).collect::<Vec<_>>().join(", "));
