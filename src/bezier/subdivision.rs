@@ -6,7 +6,7 @@ use crate::algebra::{FieldElement, Integer, MultiquadraticField, Polynomial, Sig
 
 use super::bernstein::{BernsteinForm, binomial};
 
-/// How a polynomial without unknowns behaves on [0,1]².
+/// How a polynomial without unknowns behaves on the unit square.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SignOnSquare {
     /// Nowhere positive: in each of so many boxes no Bernstein coefficient is positive.

@@ -82,7 +82,7 @@ impl Symbol {
         &self.0
     }
 
-    /// The letters in front and the indices after them: `a14` is a, [14]; `a1,4` is a, [1, 4].
+    /// The letters in front and the indices after them: `a14` is a, 14; `a1,4` is a, 1, 4.
     pub fn indices(&self) -> Option<(&str, Vec<u32>)> {
         let start = self.0.find(|c: char| c.is_ascii_digit())?;
         let (letters, rest) = self.0.split_at(start);
