@@ -178,7 +178,7 @@ fn every_mutation_of_one_formula_is_named() {
 }
 
 #[test]
-#[ignore = "every mutation of every formula: a minute in release"]
+#[ignore = "every mutation of every formula: seconds in release"]
 fn every_mutation_of_every_formula_is_named() {
     let rows = rows();
     let mut count = 0;
@@ -188,7 +188,7 @@ fn every_mutation_of_every_formula_is_named() {
             count += 1;
         }
     }
-    assert!(count > 900, "{count} mutations");
+    assert!(count > 700, "{count} mutations");
 }
 
 proptest! {

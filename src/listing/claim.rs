@@ -7,7 +7,7 @@ use super::expression::{Expression, Formula};
 use super::table::{Table, Value, file_fault, string, strings};
 use super::token::Symbol;
 
-/// A claim, as data. What it means is decided by [`crate::audit`].
+/// A claim, as data. What it means is decided by the audit.
 #[derive(Debug, Clone)]
 pub struct Claim {
     /// Where the source makes it: "3.1", "Eq. 15".
