@@ -61,6 +61,9 @@ fn latex_means_what_it_prints() {
         (r"w + 1 . ", "w + 1"),
         ("w % + 5\n + 2", "w + 2"),
         (r"w \tag{7}", "w"),
+        (r"w \quad (A-3)", "w"),
+        (r"w \quad (3.2a)", "w"),
+        (r"w \quad (z)", "w*z"),
         (r"\sqrt{2}\sqrt{3} w", "sqrt(6)*w"),
         (r"\frac{w + \sqrt{2}}{2 - \sqrt{3}}", "2*w + sqrt(3)*w + 2*sqrt(2) + sqrt(6)"),
     ] {

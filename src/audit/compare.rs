@@ -71,12 +71,14 @@ pub(super) struct Printed<'a> {
     pub text: &'a str,
 }
 
-/// Compares a printed formula with the true coefficient. `others` are the labels of the listing.
+/// Compares a printed formula with the true coefficient. `others` are the labels of the listing; explanations are
+/// looked for as long as the work allowed for them lasts.
 pub(super) fn compare(
     printed: Printed<'_>,
     targets: &Targets,
     others: &[(Symbol, Target)],
     scope: &Scope,
+    explaining: &mut Work,
 ) -> Result<Finding, Limit> {
     let truth = targets.value(printed.target).cloned().unwrap_or_default();
     let mut work = Work::full();
@@ -84,7 +86,7 @@ pub(super) fn compare(
     let (mut relations, mut fixes) = (Vec::new(), Vec::new());
     if !differences.is_empty() {
         relations = self::relations(&printed, &truth, targets, others, &scope.field, &mut work)?;
-        fixes = corrections(printed.expression, printed.text, &truth, scope);
+        fixes = corrections(printed.expression, printed.text, &truth, scope, explaining);
     }
     Ok(Finding {
         label: printed.label.clone(),

@@ -106,15 +106,15 @@ pub(super) fn corrections(
     text: &str,
     truth: &Polynomial,
     scope: &Scope,
+    work: &mut Work,
 ) -> Vec<Correction> {
-    let mut work = Work::full();
     let search = Search { printed, scope, truth };
-    let Some(candidates) = search.candidates(&mut work) else { return Vec::new() };
-    let Some(value) = search.value(printed, &mut work) else { return Vec::new() };
+    let Some(candidates) = search.candidates(work) else { return Vec::new() };
+    let Some(value) = search.value(printed, work) else { return Vec::new() };
     let missing = difference(&effect_of(truth), &effect_of(&value));
     let mut best: Option<(usize, Vec<(usize, Change)>)> = None;
     let mut tries = TRIES;
-    search.extend(&candidates, &missing, &mut Vec::new(), &mut best, &mut tries, &mut work);
+    search.extend(&candidates, &missing, &mut Vec::new(), &mut best, &mut tries, work);
     let changes = best.map_or(Vec::new(), |(_, changes)| changes);
     let place = |site: usize| Place::of(text, site_span(printed, site));
     changes.into_iter().map(|(site, change)| Correction { place: place(site), change }).collect()
@@ -246,6 +246,10 @@ impl Search<'_> {
         }
         for candidate in candidates {
             let Some(amount) = candidate.effect.get(first) else { continue };
+            let terms = (candidate.effect.len() + missing.len()) as u64;
+            if work.charge(terms.saturating_mul(300)).is_err() {
+                return;
+            }
             if *tries == 0 || chosen.iter().any(|(site, _)| *site == candidate.site) {
                 continue;
             }

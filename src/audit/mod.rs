@@ -86,8 +86,9 @@ impl Audit {
         let scope = scope(listing, statement)?;
         let mut named: Vec<(Symbol, Target)> = Vec::new();
         let mut printed = Vec::new();
+        let mut reading = Work::full();
         for formula in &listing.formulas {
-            let value = formula.expression.value(&listing.text, &scope, &mut Work::full())?;
+            let value = formula.expression.value(&listing.text, &scope, &mut reading)?;
             for (label, span) in &formula.labels {
                 let fault = |fault: ListingFault| ListingError {
                     place: Place::of(&listing.text, span.clone()),
@@ -113,10 +114,11 @@ impl Audit {
                 });
             }
         }
+        let mut explaining = Work::full();
         let mut findings = Vec::with_capacity(printed.len());
         for printed in printed {
             control.check()?;
-            findings.push(compare(printed, &targets, &named, &scope)?);
+            findings.push(compare(printed, &targets, &named, &scope, &mut explaining)?);
         }
         let unlisted = unlisted(&targets, &named);
         let case = claims::Case { statement, targets: &targets, findings: &findings, scope: &scope, listing };

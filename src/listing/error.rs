@@ -121,7 +121,7 @@ impl fmt::Display for ListingFault {
             }
             Fault::ProductAcrossRows => write!(
                 f,
-                "ambiguous: two factors in two rows; write an operator, or `=` if a new formula starts here"
+                "ambiguous: two factors in two rows or columns; write an operator, or `=` if a new formula starts here"
             ),
             Fault::BracketKind { opened, expected } => {
                 write!(f, "`{opened}` is still open, expected `{expected}` to close it")

@@ -54,7 +54,7 @@ struct Parser<'a> {
 impl<'a> Parser<'a> {
     /// The next token that is no row break.
     fn peek(&self) -> Option<&'a Token> {
-        self.tokens[self.at..].iter().find(|token| token.kind != Kind::Row)
+        self.tokens[self.at..].iter().find(|token| !token.kind.is_layout())
     }
 
     fn next(&mut self) -> Option<&'a Token> {
@@ -65,7 +65,7 @@ impl<'a> Parser<'a> {
     }
 
     fn skip_rows(&mut self) {
-        while self.tokens.get(self.at).is_some_and(|token| token.kind == Kind::Row) {
+        while self.tokens.get(self.at).is_some_and(|token| token.kind.is_layout()) {
             self.at += 1;
         }
     }
@@ -80,7 +80,7 @@ impl<'a> Parser<'a> {
 
     /// The bytes of the next token, or of the end.
     fn place(&self) -> Range<usize> {
-        let printed = self.tokens.iter().rev().find(|token| token.kind != Kind::Row);
+        let printed = self.tokens.iter().rev().find(|token| !token.kind.is_layout());
         let end = printed.map_or(0, |token| token.span.end);
         self.peek().map_or(end..end, |token| token.span.clone())
     }
@@ -88,7 +88,7 @@ impl<'a> Parser<'a> {
     fn expected<T>(&self, expected: &'static str) -> Result<T, Located> {
         let span = self.place();
         let found = match self.peek() {
-            Some(token) if token.kind != Kind::Row => shown(&self.text[token.span.clone()]),
+            Some(token) if !token.kind.is_layout() => shown(&self.text[token.span.clone()]),
             _ => "the end of the formula".into(),
         };
         Err((ListingFault::Expected { expected, found }, span))
@@ -163,7 +163,7 @@ impl<'a> Parser<'a> {
         let mut factors: Vec<(Operator, Expression)> = Vec::new();
         let mut slashed = false;
         loop {
-            let broken = self.tokens.get(self.at).is_some_and(|token| token.kind == Kind::Row);
+            let broken = self.tokens.get(self.at).is_some_and(|token| token.kind.is_layout());
             match self.peek().map(|token| &token.kind) {
                 Some(Kind::Times) => {
                     self.next();
@@ -277,13 +277,14 @@ impl<'a> Parser<'a> {
             Kind::Open(bracket) => self.bracket(*bracket),
             Kind::Root => {
                 self.next();
-                let inside = self.argument()?;
+                let inside = self.argument(&Kind::Root)?;
                 let span = span.start..self.end_of_last();
                 Ok(Expression { kind: Part::Root(Box::new(inside)), span })
             }
             Kind::Fraction => {
                 self.next();
-                let (numerator, denominator) = (self.argument()?, self.argument()?);
+                let (numerator, denominator) =
+                    (self.argument(&Kind::Fraction)?, self.argument(&Kind::Fraction)?);
                 let whole = span.start..self.end_of_last();
                 let kind = fraction(&numerator, &denominator);
                 let mixed = before.is_some_and(|before| matches!(before.kind, Part::Number(_)))
@@ -303,10 +304,18 @@ impl<'a> Parser<'a> {
     }
 
     /// The argument of a root or a fraction: in brackets, or a single token.
-    fn argument(&mut self) -> Result<Expression, Located> {
+    fn argument(&mut self, what: &Kind) -> Result<Expression, Located> {
         match self.peek() {
             Some(Token { kind: Kind::Open(bracket @ (Bracket::Brace | Bracket::Round)), .. }) => {
                 self.nested(*bracket)
+            }
+            // TeX takes one character for an argument without braces.
+            Some(Token { kind: Kind::Number(_), span }) if *what == Kind::Fraction && span.len() > 1 => {
+                let digits = self.text[span.clone()].to_owned();
+                Err((ListingFault::BareDigits { digits }, span.clone()))
+            }
+            Some(Token { kind: Kind::Name(_), span }) if self.text[span.clone()].contains('_') => {
+                self.expected("brackets around an argument with a subscript")
             }
             Some(Token { kind: Kind::Number(_) | Kind::Name(_), .. }) => self.atom(None),
             _ => self.expected("an argument in brackets, or a number"),

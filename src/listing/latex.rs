@@ -116,7 +116,7 @@ impl<'a> Lexer<'a> {
     fn skip_blanks(&mut self) {
         loop {
             let rest = self.rest();
-            let blanks = rest.len() - rest.trim_start_matches([' ', '\t', '\n', '\r', '~', '&']).len();
+            let blanks = rest.len() - rest.trim_start_matches([' ', '\t', '\n', '\r', '~']).len();
             self.at += blanks;
             if !self.rest().starts_with('%') {
                 return;
@@ -140,6 +140,7 @@ impl<'a> Lexer<'a> {
             'a'..='z' | 'A'..='Z' => self.name(self.at, 1)?,
             '+' => self.push(Kind::Sign { minus: false }, 1),
             '-' | '−' => self.push(Kind::Sign { minus: true }, first.len_utf8()),
+            '&' => self.push(Kind::Column, 1),
             '*' => self.push(Kind::Times, 1),
             '/' => self.push(Kind::Slash, 1),
             '=' => self.push(Kind::Equals, 1),
@@ -152,7 +153,9 @@ impl<'a> Lexer<'a> {
             '}' => self.push(Kind::Close(Bracket::Brace), 1),
             ',' | ';' => self.push(Kind::Separator, 1),
             // The full stop after a formula; inside a number it has been read already.
-            '.' if !self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) => self.at += 1,
+            '.' if !self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) => {
+                self.push(Kind::Separator, 1);
+            }
             '.' => self.expected("a digit in front of the decimal point")?,
             _ => self.expected("a formula")?,
         }
@@ -267,7 +270,7 @@ impl<'a> Lexer<'a> {
                 self.at += length;
                 self.skip_argument()?;
             }
-            "mathrm" | "mathit" | "operatorname" | "text" | "mathbf" => self.named(length)?,
+            "mathrm" | "mathit" | "operatorname" | "text" => self.named(length)?,
             _ if GREEK.contains(&name) => self.name(self.at, length)?,
             "quad" | "qquad" => {
                 self.at += length;
@@ -356,8 +359,15 @@ impl<'a> Lexer<'a> {
     fn equation_number(&mut self) {
         let rest = self.rest().trim();
         let number = rest.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
-        let plain = |text: &str| text.chars().all(|c| c.is_ascii_alphanumeric() || "-.'".contains(c));
-        if number.is_some_and(|text| !text.is_empty() && plain(text)) {
+        // 11, 3.2, 4a, A-3: with letters alone it could be a factor.
+        let plain = |text: &str| {
+            let after_letter = text.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+            let lettered = after_letter.len() + 1 == text.len() && after_letter.starts_with(['-', '.']);
+            (text.starts_with(|c: char| c.is_ascii_digit()) || lettered)
+                && text.contains(|c: char| c.is_ascii_digit())
+                && text.chars().all(|c| c.is_ascii_alphanumeric() || "-.'".contains(c))
+        };
+        if number.is_some_and(plain) {
             self.at = self.end;
         }
     }

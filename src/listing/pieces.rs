@@ -25,7 +25,7 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<&[Token]> {
         }
     }
     cuts.push(tokens.len());
-    let content = |token: &Token| !matches!(token.kind, Kind::Row | Kind::Separator);
+    let content = |token: &Token| !token.kind.is_layout() && token.kind != Kind::Separator;
     let pieces = cuts.windows(2).map(|pair| &tokens[pair[0]..pair[1]]);
     pieces.filter(|piece| piece.iter().any(content)).collect()
 }

@@ -62,7 +62,9 @@ impl<'a> Lexer<'a> {
             '{' => self.push(Kind::Open(Bracket::Curly), 1),
             '}' => self.push(Kind::Close(Bracket::Curly), 1),
             ',' | ';' => self.push(Kind::Separator, 1),
-            '.' if !self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) => self.at += 1,
+            '.' if !self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) => {
+                self.push(Kind::Separator, 1);
+            }
             c if c.is_alphabetic() => self.name(),
             c if SUPERSCRIPTS.contains(c) => self.superscript(),
             _ => {

@@ -38,10 +38,19 @@ pub(super) enum Kind {
     Close(Bracket),
     /// `=`.
     Equals,
-    /// `,` or `;`: what follows is another formula.
+    /// `,`, `;` or a full stop: what follows is another formula.
     Separator,
+    /// `&`: the edge of a column.
+    Column,
     /// The end of a row: `\\`, or a line break in plain text.
     Row,
+}
+
+impl Kind {
+    /// Whether this is only layout.
+    pub(super) fn is_layout(&self) -> bool {
+        matches!(self, Kind::Row | Kind::Column)
+    }
 }
 
 /// The kinds of brackets. Braces are TeX's invisible ones.

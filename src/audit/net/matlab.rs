@@ -67,9 +67,12 @@ fn without_comments(text: &str) -> String {
 
 /// The integers under square roots.
 fn roots_in(text: &str) -> Vec<u32> {
-    let arguments = text.split("sqrt(").skip(1);
-    let digits = arguments.filter_map(|rest| rest.split(')').next()?.trim().parse().ok());
-    digits.filter(|&n: &u32| n > 1 && n <= limits::RADICAND).collect()
+    let arguments = text.split("sqrt(").skip(1).filter_map(|rest| rest.split(')').next());
+    let numbers = arguments.flat_map(|argument| argument.split(|c: char| !c.is_ascii_digit()));
+    numbers
+        .filter_map(|digits| digits.parse().ok())
+        .filter(|&n: &u32| n > 1 && n <= limits::RADICAND)
+        .collect()
 }
 
 /// The statements: cut at `;` and line ends outside brackets.
@@ -118,6 +121,10 @@ impl Reader<'_> {
             return Err(self.wrong(span.start..equals, "a name"));
         }
         if indices.is_empty() {
+            // The declaration of an array.
+            if self.clean[right.clone()].starts_with("zeros(") {
+                return Ok(());
+            }
             let value = self.value(right)?;
             self.scope.names.insert(Symbol::new(&name), Some(value));
             return Ok(());
