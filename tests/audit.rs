@@ -369,6 +369,15 @@ fn a_radius_that_cannot_be_bounded_is_not_checked() {
 }
 
 #[test]
+fn a_formula_too_long_to_be_read_is_compared_but_not_explained() {
+    let text = format!("a_1 = {}", ["w"; 20_000].join(" + "));
+    let listing = Listing::from_formulas("", &text, Notation::Latex).unwrap();
+    let found = audit(&listing, &statement("cap-2x2"));
+    assert_eq!(wrong(&found), ["a1"]);
+    assert_eq!(found.findings[0].corrections, []);
+}
+
+#[test]
 fn an_audit_that_is_stopped_says_so() {
     let cancelled = std::sync::atomic::AtomicBool::new(true);
     let control = Control { cancelled: Some(&cancelled), ..Control::default() };

@@ -17,6 +17,8 @@ use crate::statement::Place;
 
 /// The most sites that are changed.
 const CHANGES: usize = 3;
+/// Sites of the longest formula that is explained: nobody reads longer ones.
+const SITES: usize = 1000;
 /// Combinations that are tried.
 const TRIES: usize = 4000;
 
@@ -143,13 +145,17 @@ impl Search<'_> {
 
     /// All changes of one site. `None` where the allowance runs out.
     fn candidates(&self, work: &mut Work) -> Option<Vec<Candidate>> {
+        let sites = count_sites(self.printed);
+        if sites > SITES {
+            return None;
+        }
         let base = effect_of(&self.value(self.printed, work)?);
         let mut found = Vec::new();
         let radicands: Vec<u64> = self.scope.field.values().iter().map(|&d| d.into()).collect();
         let roots: Vec<u64> = (1..1usize << radicands.len())
             .map(|mask| (0..radicands.len()).filter(|b| mask >> b & 1 == 1).map(|b| radicands[b]).product())
             .collect();
-        for index in 0..count_sites(self.printed) {
+        for index in 0..sites {
             let mut changes = Vec::new();
             match site(self.printed, index)? {
                 Site::Sign(signed) => changes.push(Change::Sign { minus: !signed.minus }),
