@@ -63,7 +63,6 @@ fn latex_means_what_it_prints() {
         (r"w \tag{7}", "w"),
         (r"w \quad (A-3)", "w"),
         (r"w \quad (3.2a)", "w"),
-        (r"w \quad (z)", "w*z"),
         (r"\sqrt{2}\sqrt{3} w", "sqrt(6)*w"),
         (r"\frac{w + \sqrt{2}}{2 - \sqrt{3}}", "2*w + sqrt(3)*w + 2*sqrt(2) + sqrt(6)"),
     ] {

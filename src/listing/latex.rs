@@ -273,7 +273,8 @@ impl<'a> Lexer<'a> {
             "mathrm" | "mathit" | "operatorname" | "text" => self.named(length)?,
             _ if GREEK.contains(&name) => self.name(self.at, length)?,
             "quad" | "qquad" => {
-                self.at += length;
+                // As wide as between columns: a product would not be set like this.
+                self.push(Kind::Column, length);
                 self.equation_number();
             }
             _ if BLANK.contains(&name) => self.at += length,
