@@ -59,6 +59,12 @@ impl From<i64> for Integer {
     }
 }
 
+impl From<i128> for Integer {
+    fn from(value: i128) -> Self {
+        Integer(Backend::from(value))
+    }
+}
+
 impl From<u32> for Integer {
     fn from(value: u32) -> Self {
         Integer(Backend::from(value))
@@ -103,6 +109,17 @@ impl Integer {
         self.0 < Backend::default()
     }
 
+    /// The value, if it fits.
+    pub fn to_i64(&self) -> Option<i64> {
+        i64::try_from(&self.0).ok()
+    }
+
+    /// self − quotient·divisor for the quotient rounded down, so that it lies in 0..divisor for a positive divisor.
+    pub fn modulo(&self, divisor: &Self) -> Self {
+        let (_, remainder) = self.quotient_and_remainder(divisor);
+        if remainder.is_negative() { &remainder + divisor } else { remainder }
+    }
+
     /// |self|.
     pub fn abs(&self) -> Self {
         if self.is_negative() { -self } else { self.clone() }
@@ -130,6 +147,17 @@ impl Integer {
     /// self / divisor for a divisor that divides.
     pub fn exact_quotient(&self, divisor: &Self) -> Self {
         Integer(&self.0 / &divisor.0)
+    }
+
+    /// The quotient rounded towards 0, and the remainder, which has the sign of `self`.
+    pub fn quotient_and_remainder(&self, divisor: &Self) -> (Self, Self) {
+        let (quotient, remainder) = num_integer::Integer::div_rem(&self.0, &divisor.0);
+        (Integer(quotient), Integer(remainder))
+    }
+
+    /// Binary digits of the absolute value; none for 0.
+    pub fn bits(&self) -> u64 {
+        self.0.bits()
     }
 
     /// The largest r with r² ≤ self, for self ≥ 0.
@@ -164,6 +192,17 @@ impl Integer {
     /// self / divisor for a divisor that divides.
     pub fn exact_quotient(&self, divisor: &Self) -> Self {
         Integer(Backend::from(self.0.div_exact_ref(&divisor.0)))
+    }
+
+    /// The quotient rounded towards 0, and the remainder, which has the sign of `self`.
+    pub fn quotient_and_remainder(&self, divisor: &Self) -> (Self, Self) {
+        let (quotient, remainder) = <(Backend, Backend)>::from(self.0.div_rem_ref(&divisor.0));
+        (Integer(quotient), Integer(remainder))
+    }
+
+    /// Binary digits of the absolute value; none for 0.
+    pub fn bits(&self) -> u64 {
+        u64::from(self.0.significant_bits())
     }
 
     /// The largest r with r² ≤ self, for self ≥ 0.

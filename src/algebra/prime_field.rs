@@ -3,6 +3,7 @@
 //! Nothing that is claimed rests on them: a wrong guess is found out when it is lifted exactly.
 
 use super::field::{FieldElement, MultiquadraticField};
+use super::integer::Integer;
 use super::monomial::Monomial;
 use super::polynomial::Polynomial;
 
@@ -59,6 +60,11 @@ impl PrimeField {
         (a + (self.p - b) * c) % self.p
     }
 
+    /// a − b.
+    pub fn subtract(&self, a: u64, b: u64) -> u64 {
+        if a >= b { a - b } else { a + self.p - b }
+    }
+
     /// 1/a for a ≠ 0.
     pub fn inverse(&self, a: u64) -> u64 {
         self.power(a, self.p - 2)
@@ -76,17 +82,43 @@ impl PrimeField {
         power
     }
 
+    /// All 2ᵏ homomorphisms for this p, this one first: number e changes the signs of the roots in the bits of e.
+    pub fn embeddings(&self) -> Vec<PrimeField> {
+        let conjugate = |e: usize| {
+            let sign = |(subset, &root): (usize, &u64)| {
+                if (subset & e).count_ones() % 2 == 1 { self.subtract(0, root) } else { root }
+            };
+            PrimeField { p: self.p, roots: self.roots.iter().enumerate().map(sign).collect() }
+        };
+        (0..self.roots.len()).map(conjugate).collect()
+    }
+
+    /// The image of Σ coordinate_S·√(ΠS).
+    pub fn combine(&self, coordinates: &[Integer]) -> u64 {
+        let terms = coordinates.iter().zip(&self.roots).filter(|(coordinate, _)| !coordinate.is_zero());
+        terms.fold(0, |sum, (coordinate, &root)| (sum + self.multiply(coordinate.residue(self.p), root)) % self.p)
+    }
+
+    /// The coordinates, of least absolute value, of the element with these images under [`Self::embeddings`].
+    pub fn coordinates(&self, images: &[u64]) -> Vec<i64> {
+        let count = self.inverse(images.len() as u64);
+        let coordinate = |(subset, &root): (usize, &u64)| {
+            let sum = images.iter().enumerate().fold(0, |sum, (e, &image)| {
+                if (subset & e).count_ones() % 2 == 1 { self.subtract(sum, image) } else { (sum + image) % self.p }
+            });
+            let value = self.multiply(sum, self.multiply(count, self.inverse(root)));
+            if value > self.p / 2 { value as i64 - self.p as i64 } else { value as i64 }
+        };
+        self.roots.iter().enumerate().map(coordinate).collect()
+    }
+
     /// The image of an element of K, `None` where p divides its denominator.
     pub fn reduce(&self, value: &FieldElement) -> Option<u64> {
         let denominator = value.denominator().residue(self.p);
         if denominator == 0 {
             return None;
         }
-        let image = value.numerators().iter().zip(&self.roots).filter(|(numerator, _)| !numerator.is_zero());
-        let image = image.fold(0, |sum, (numerator, &root)| {
-            (sum + self.multiply(numerator.residue(self.p), root)) % self.p
-        });
-        Some(self.multiply(image, self.inverse(denominator)))
+        Some(self.multiply(self.combine(value.numerators()), self.inverse(denominator)))
     }
 
     /// The images of the coefficients, `None` where p divides a denominator.

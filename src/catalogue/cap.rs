@@ -2,6 +2,7 @@
 
 use itertools::{Itertools, iproduct};
 
+use super::parts;
 use super::spell::spell;
 use super::symmetry::{ALL, ROTATIONS, orbit};
 use crate::algebra::{FieldElement, MultiquadraticField};
@@ -45,10 +46,12 @@ impl Cap {
     pub fn statement(&self) -> String {
         let (m, n) = self.bidegree;
         let points: Vec<Vec<Entries>> = self.net();
-        let names = points.iter().flatten().flatten().filter(|entry| !entry.contains("sqrt"));
-        let mut unknowns: Vec<String> = names
-            .map(|entry| entry.trim_start_matches('-').to_owned())
-            .filter(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()) && !name.contains('^'))
+        let words = points.iter().flatten().flatten().flat_map(|entry| {
+            entry.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| *word != "sqrt")
+        });
+        let mut unknowns: Vec<String> = words
+            .filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()) && *word != "d")
+            .map(str::to_owned)
             .unique()
             .collect();
         unknowns.sort_by_key(|name| (name[1..].to_owned(), "XYZWwz".find(&name[..1])));
@@ -153,15 +156,11 @@ impl Cap {
     fn inner(&self, i: u32, j: u32) -> Entries {
         let group = match self.interior {
             Interior::OnAxis => return ["0", "0", "z", "w"].map(String::from),
-            Interior::Free => &ROTATIONS[..1],
+            Interior::Free => return parts::entries(self.bidegree, i, j),
             Interior::C4 => &ROTATIONS[..],
             Interior::D4 => &ALL[..],
         };
-        let ((a, b), [x, y]) = if group.len() == 1 {
-            ((i, j), [Some((1, 'X')), Some((1, 'Y'))])
-        } else {
-            orbit(self.bidegree.0, group, i, j)
-        };
+        let ((a, b), [x, y]) = orbit(self.bidegree.0, group, i, j);
         let index = if a < 10 && b < 10 { format!("{a}{b}") } else { format!("{a}_{b}") };
         let signed = |coordinate: Option<(i32, char)>| match coordinate {
             None => "0".to_owned(),

@@ -4,6 +4,7 @@
 //! control point of theirs is typed in. The positive controls are files.
 
 mod cap;
+mod parts;
 mod spell;
 mod symmetry;
 
@@ -44,6 +45,7 @@ pub const ENTRIES: &[Entry] = &[
     cap("cap-3x2", "bidegree (3,2), no symmetry, standard edges", 3, 2, Interior::Free),
     cap("cap-3x3", "bicubic, no symmetry, standard edges", 3, 3, Interior::Free),
     cap("cap-4x2", "bidegree (4,2), no symmetry, standard edges", 4, 2, Interior::Free),
+    cap("cap-4x3", "bidegree (4,3), no symmetry, standard edges", 4, 3, Interior::Free),
     cap("cap-4x4-d4", "biquartic with the symmetry of the square, standard edges", 4, 4, Interior::D4),
     Entry {
         name: "cobb",

@@ -53,6 +53,32 @@ impl Echelon {
         self.pivots.keys().copied()
     }
 
+    /// The rows of the reduced echelon form: in no other row is there an entry where one leads.
+    pub(super) fn reduced_rows(&mut self) -> Vec<SparseRow> {
+        let positions: Vec<usize> = self.pivots.values().copied().collect();
+        let reduce = |position: usize| {
+            let Some(&(leading, _)) = self.rows[position].entries.first() else { return SparseRow::new() };
+            let width = leading as usize + 1;
+            if self.dense.len() < width {
+                self.dense.resize(width, 0);
+            }
+            for &(column, value) in &self.rows[position].entries {
+                self.dense[column as usize] = value;
+            }
+            for column in (0..leading).rev() {
+                let value = self.dense[column as usize];
+                let Some(&other) = self.pivots.get(&column).filter(|_| value != 0) else { continue };
+                for &(at, entry) in &self.rows[other].entries {
+                    let cell = &mut self.dense[at as usize];
+                    *cell = self.field.subtract_product(*cell, value, entry);
+                }
+            }
+            let cells = self.dense[..width].iter_mut().zip(0..width as u32).rev();
+            cells.map(|(cell, at)| (at, std::mem::take(cell))).filter(|&(_, value)| value != 0).collect()
+        };
+        positions.into_iter().map(reduce).collect()
+    }
+
     /// The inserted rows that the row leading in `column` is made of.
     pub(super) fn combination(&self, column: u32) -> Combination {
         let row = &self.rows[self.pivots[&column]];

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
-use super::echelon::{Echelon, Inserted, SparseRow};
+use super::echelon::SparseRow;
 use super::linear::normalizing_factor;
 use super::macaulay::Unlucky;
-use crate::algebra::{FieldElement, Monomial, Polynomial, PrimeField};
+use super::solve::solve;
+use crate::algebra::{Monomial, Polynomial, PrimeField};
 
 /// multiplier · source, with the part modulo p that is to cancel.
 pub(super) struct Multiple {
@@ -31,29 +32,14 @@ pub(super) fn lift(
 ) -> Result<Result<Source, Unlucky>, Interrupted> {
     let field = derivation.system().field();
     let (last, others) = multiples.split_last().expect("a combination of at least one multiple");
-    let mut echelon = Echelon::new(prime.clone());
-    let mut columns = Vec::new();
-    for (id, multiple) in others.iter().enumerate() {
-        match echelon.insert(id as u32, &multiple.row) {
-            Inserted::Pivot(column) => columns.push(column),
-            Inserted::Dependent(_) => return Ok(Err(Unlucky)),
-        }
-    }
-    let entry = |multiple: &Multiple, column: u32| {
+    let rows: Vec<SparseRow> = others.iter().map(|multiple| multiple.row.clone()).collect();
+    let coefficient = |multiple: &Multiple, column: u32| {
         let monomial = monomials[column as usize].quotient(&multiple.multiplier)?;
-        derivation.polynomial(multiple.source).coefficient(&monomial).cloned()
+        derivation.polynomial(multiple.source).coefficient(&monomial)
     };
-    // One equation for each column: Σ factor · entry = −entry of the last.
-    let zero = field.zero();
-    let equations: Vec<Vec<FieldElement>> = columns
-        .iter()
-        .map(|&column| {
-            let left = others.iter().map(|multiple| entry(multiple, column).unwrap_or_else(|| zero.clone()));
-            let right = entry(last, column).map_or_else(|| zero.clone(), |value| -&value);
-            left.chain([right]).collect()
-        })
-        .collect();
-    let Some(factors) = solve(equations, control)? else {
+    let entry = |k: usize, column: u32| coefficient(&others[k], column).cloned();
+    let right = |column: u32| coefficient(last, column).map(|value| -value);
+    let Some(factors) = solve(&rows, entry, right, prime, field, control)? else {
         return Ok(Err(Unlucky));
     };
 
@@ -71,41 +57,4 @@ pub(super) fn lift(
     let factor = normalizing_factor(&sum);
     let scaled = combination.into_iter().map(|(source, by)| (source, by.scaled(&factor))).collect();
     Ok(derivation.derive(scaled).ok_or(Unlucky))
-}
-
-/// Solves a regular square system, given as rows with the right side last. `None` if it is singular.
-fn solve(
-    mut rows: Vec<Vec<FieldElement>>,
-    control: &Control<'_>,
-) -> Result<Option<Vec<FieldElement>>, Interrupted> {
-    let size = rows.len();
-    for column in 0..size {
-        control.check()?;
-        // The sparsest row with an entry here: fewer products, and smaller numbers.
-        let candidates = (column..size).filter(|&row| !rows[row][column].is_zero());
-        let filled = |row: usize| rows[row][column..].iter().filter(|value| !value.is_zero()).count();
-        let Some(pivot) = candidates.min_by_key(|&row| filled(row)) else {
-            return Ok(None);
-        };
-        rows.swap(column, pivot);
-        let inverse = rows[column][column].inverse().expect("the pivot is not zero");
-        for value in &mut rows[column][column..] {
-            if !value.is_zero() {
-                *value = &*value * &inverse;
-            }
-        }
-        let pivot_row = rows[column].clone();
-        for (row, values) in rows.iter_mut().enumerate() {
-            if row == column || values[column].is_zero() {
-                continue;
-            }
-            let factor = -&values[column];
-            for (value, of_pivot) in values[column..].iter_mut().zip(&pivot_row[column..]) {
-                if !of_pivot.is_zero() {
-                    *value = &*value + &(&factor * of_pivot);
-                }
-            }
-        }
-    }
-    Ok(Some(rows.into_iter().map(|mut row| row.pop().expect("a right side")).collect()))
 }

@@ -14,10 +14,14 @@ mod control;
 mod derivation;
 mod echelon;
 mod eliminant;
+mod grading;
 mod lift;
 mod linear;
+mod lu;
 mod macaulay;
 mod points;
+mod reconstruct;
+mod solve;
 mod system;
 
 pub use closure::Closure;
@@ -67,7 +71,8 @@ pub fn eliminate(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Outc
 
 fn run(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Result<Outcome, Interrupted> {
     let mut linear = Linear::new();
-    let mut equations = derivation.generators();
+    let given = derivation.generators();
+    let mut equations = grading::homogeneous_parts(derivation, &given, control)?;
     loop {
         let rest = match linear.absorb(derivation, &equations, control)? {
             Absorbed::Unit(unit) => return Ok(Outcome::Unit(unit)),

@@ -1,0 +1,182 @@
+//! Sign symmetries: changes of sign of variables that map the equations' span to itself.
+//!
+//! Such a change splits every polynomial into a part that keeps its sign and one that changes it. If the span of the
+//! equations is mapped to itself, both parts lie in it, and everything that follows falls apart into smaller pieces
+//! by itself: a multiple of a homogeneous polynomial has no column in common with those of another class.
+//!
+//! The symmetries are found from the reduced echelon form modulo p. A subspace is the sum of its parts if and only
+//! if each row of its reduced echelon form is homogeneous, because that form is unique; and that a row is homogeneous is
+//! a system of linear conditions over F₂ on the signs.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::control::{Control, Interrupted};
+use super::derivation::{Derivation, Source};
+use super::echelon::{Echelon, Inserted, SparseRow};
+use super::solve::solve;
+use crate::algebra::{FieldElement, Monomial, Polynomial, PrimeField, splitting_primes};
+
+/// The classes are kept in the bits of a word.
+const SYMMETRIES: usize = 64;
+
+/// The changes of sign: for each the variables that it turns round.
+struct Grading {
+    odd: Vec<BTreeSet<u16>>,
+}
+
+/// The equations, each replaced by its homogeneous parts; the equations themselves where there is no symmetry to use.
+pub(super) fn homogeneous_parts(
+    derivation: &mut Derivation<'_>,
+    equations: &[Source],
+    control: &Control<'_>,
+) -> Result<Vec<Source>, Interrupted> {
+    let images = splitting_primes(derivation.system().field()).find_map(|prime| {
+        let rows: Option<Vec<_>> =
+            equations.iter().map(|&f| prime.reduce_polynomial(derivation.polynomial(f))).collect();
+        Some(Span::new(rows?, prime))
+    });
+    let span = images.expect("some prime divides no denominator");
+    let grading = span.grading();
+    let mut parts = Vec::new();
+    for (index, &source) in equations.iter().enumerate() {
+        control.check()?;
+        let classes = grading.parts(derivation.polynomial(source));
+        if classes.len() == 1 {
+            parts.push(source);
+            continue;
+        }
+        for part in classes.into_values() {
+            match span.express(index, &part, equations, derivation, control)? {
+                Some(combination) => parts.extend(derivation.derive(combination)),
+                // The prime was unlucky; without the parts the search is slower, not wrong.
+                None => return Ok(equations.to_vec()),
+            }
+        }
+    }
+    Ok(parts)
+}
+
+impl Grading {
+    fn parts(&self, polynomial: &Polynomial) -> BTreeMap<u64, Polynomial> {
+        let mut terms: BTreeMap<u64, Vec<(Monomial, FieldElement)>> = BTreeMap::new();
+        for (monomial, value) in polynomial.terms() {
+            let signs = self.odd.iter().map(|odd| is_odd(monomial, odd));
+            let class = signs.enumerate().fold(0, |class, (bit, odd)| class | u64::from(odd) << bit);
+            terms.entry(class).or_default().push((monomial.clone(), value.clone()));
+        }
+        let field = polynomial.field();
+        terms.into_iter().map(|(class, terms)| (class, Polynomial::from_terms(field, terms))).collect()
+    }
+}
+
+fn is_odd(monomial: &Monomial, odd: &BTreeSet<u16>) -> bool {
+    let turned = monomial.powers().iter().filter(|(variable, _)| odd.contains(variable));
+    turned.map(|&(_, exponent)| exponent).sum::<u32>() % 2 == 1
+}
+
+/// The equations modulo a prime, as rows of a matrix.
+struct Span {
+    prime: PrimeField,
+    columns: BTreeMap<Monomial, u32>,
+    rows: Vec<SparseRow>,
+}
+
+impl Span {
+    fn new(images: Vec<Vec<(Monomial, u64)>>, prime: PrimeField) -> Self {
+        let monomials: BTreeSet<&Monomial> =
+            images.iter().flatten().map(|(monomial, _)| monomial).collect();
+        let columns: BTreeMap<Monomial, u32> =
+            monomials.into_iter().cloned().zip(0..).collect();
+        let row = |image: Vec<(Monomial, u64)>| {
+            image.into_iter().filter(|&(_, value)| value != 0).map(|(m, value)| (columns[&m], value)).collect()
+        };
+        Span { prime, rows: images.into_iter().map(row).collect(), columns }
+    }
+
+    /// All changes of sign that make every row of the reduced echelon form homogeneous.
+    fn grading(&self) -> Grading {
+        let mut echelon = Echelon::new(self.prime.clone());
+        for (id, row) in (0..).zip(&self.rows) {
+            echelon.insert(id, row);
+        }
+        let monomials: Vec<&Monomial> = self.columns.keys().collect();
+        // Over F₂: the difference of any two monomials of a row is even.
+        let mut conditions: Vec<BTreeSet<u16>> = Vec::new();
+        for row in echelon.reduced_rows() {
+            let parity = |column: u32| -> BTreeSet<u16> {
+                let powers = monomials[column as usize].powers().iter();
+                powers.filter(|(_, exponent)| exponent % 2 == 1).map(|&(variable, _)| variable).collect()
+            };
+            let Some((&(first, _), others)) = row.split_first() else { continue };
+            let first = parity(first);
+            for &(column, _) in others {
+                add_condition(&mut conditions, &first ^ &parity(column));
+            }
+        }
+        // Each condition is solved for its first variable; the others are free.
+        let solved: BTreeSet<u16> = conditions.iter().filter_map(|c| c.first().copied()).collect();
+        let used: BTreeSet<u16> =
+            monomials.iter().flat_map(|m| m.powers()).map(|&(variable, _)| variable).collect();
+        let free = used.difference(&solved).copied().take(SYMMETRIES);
+        let odd = free.map(|one| {
+            let determined = conditions.iter().filter(|c| c.contains(&one)).filter_map(|c| c.first());
+            determined.copied().chain([one]).collect()
+        });
+        Grading { odd: odd.collect() }
+    }
+
+    /// `part` of equation number `whole` as an exact combination of the equations, preferably of those that have the
+    /// same monomials as the whole: they are usually its mirror images.
+    fn express(
+        &self,
+        whole: usize,
+        part: &Polynomial,
+        equations: &[Source],
+        derivation: &Derivation<'_>,
+        control: &Control<'_>,
+    ) -> Result<Option<Vec<(Source, Polynomial)>>, Interrupted> {
+        let support = |index: usize| self.rows[index].iter().map(|&(column, _)| column);
+        let mut order: Vec<usize> = (0..equations.len()).collect();
+        order.sort_by_key(|&k| (k != whole, !support(k).eq(support(whole)), self.rows[k].len(), k));
+        let mut echelon = Echelon::new(self.prime.clone());
+        for &index in &order {
+            echelon.insert(index as u32, &self.rows[index]);
+        }
+        let Some(image) = self.prime.reduce_polynomial(part) else { return Ok(None) };
+        let target: SparseRow = image.into_iter().map(|(m, value)| (self.columns[&m], value)).collect();
+        let Inserted::Dependent(dependence) = echelon.insert(u32::MAX, &target) else { return Ok(None) };
+        let mut used: Vec<usize> = echelon.relation(&dependence).into_iter().map(|(id, _)| id as usize).collect();
+        used.retain(|&id| id != u32::MAX as usize);
+        let rows: Vec<SparseRow> = used.iter().map(|&index| self.rows[index].clone()).collect();
+        let monomials: Vec<&Monomial> = self.columns.keys().collect();
+        let entry = |k: usize, column: u32| {
+            derivation.polynomial(equations[used[k]]).coefficient(monomials[column as usize]).cloned()
+        };
+        let right = |column: u32| part.coefficient(monomials[column as usize]).cloned();
+        let Some(factors) = solve(&rows, entry, right, &self.prime, derivation.system().field(), control)?
+        else {
+            return Ok(None);
+        };
+        let combination: Vec<_> = used
+            .iter()
+            .zip(factors)
+            .map(|(&index, factor)| (equations[index], Polynomial::constant(factor)))
+            .collect();
+        let products = combination.iter().flat_map(|(f, by)| by.multiply(derivation.polynomial(*f)).terms().to_vec());
+        Ok((Polynomial::from_terms(part.field(), products) == *part).then_some(combination))
+    }
+}
+
+/// Keeps the conditions in reduced echelon form.
+fn add_condition(conditions: &mut Vec<BTreeSet<u16>>, mut fresh: BTreeSet<u16>) {
+    for condition in conditions.iter() {
+        if condition.first().is_some_and(|pivot| fresh.contains(pivot)) {
+            fresh = &fresh ^ condition;
+        }
+    }
+    let Some(pivot) = fresh.first().copied() else { return };
+    for condition in conditions.iter_mut().filter(|condition| condition.contains(&pivot)) {
+        *condition = &*condition ^ &fresh;
+    }
+    conditions.push(fresh);
+}
