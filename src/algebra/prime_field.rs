@@ -96,7 +96,9 @@ impl PrimeField {
     /// The image of Σ coordinate_S·√(ΠS).
     pub fn combine(&self, coordinates: &[Integer]) -> u64 {
         let terms = coordinates.iter().zip(&self.roots).filter(|(coordinate, _)| !coordinate.is_zero());
-        terms.fold(0, |sum, (coordinate, &root)| (sum + self.multiply(coordinate.residue(self.p), root)) % self.p)
+        terms.fold(0, |sum, (coordinate, &root)| {
+            (sum + self.multiply(coordinate.residue(self.p), root)) % self.p
+        })
     }
 
     /// The coordinates, of least absolute value, of the element with these images under [`Self::embeddings`].
@@ -104,7 +106,11 @@ impl PrimeField {
         let count = self.inverse(images.len() as u64);
         let coordinate = |(subset, &root): (usize, &u64)| {
             let sum = images.iter().enumerate().fold(0, |sum, (e, &image)| {
-                if (subset & e).count_ones() % 2 == 1 { self.subtract(sum, image) } else { (sum + image) % self.p }
+                if (subset & e).count_ones() % 2 == 1 {
+                    self.subtract(sum, image)
+                } else {
+                    (sum + image) % self.p
+                }
             });
             let value = self.multiply(sum, self.multiply(count, self.inverse(root)));
             if value > self.p / 2 { value as i64 - self.p as i64 } else { value as i64 }

@@ -2,9 +2,14 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use super::compact::{compact, length};
+use super::rescale::rescale;
 use super::system::System;
 use crate::algebra::{FieldElement, Monomial, Polynomial};
 use crate::certificate::Premise;
+
+/// Characters up to which a proof is left as it was found: it then tells how to get there.
+const READABLE: usize = 2_000;
 
 /// A polynomial of the ideal: given, or derived earlier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -17,11 +22,11 @@ pub enum Source {
 
 /// Σ multiplier · source = conclusion.
 #[derive(Debug, Clone)]
-struct DerivedStep {
+pub(super) struct DerivedStep {
     /// Sources with their multipliers.
-    combination: Vec<(Source, Polynomial)>,
+    pub(super) combination: Vec<(Source, Polynomial)>,
     /// The sum.
-    conclusion: Polynomial,
+    pub(super) conclusion: Polynomial,
 }
 
 /// A step whose premises are named as certificates name them.
@@ -104,20 +109,15 @@ impl<'a> Derivation<'a> {
         let Source::Derived(last) = target else {
             return None;
         };
-        let mut needed = vec![false; last + 1];
-        needed[last] = true;
-        for k in (0..=last).rev() {
-            if needed[k] {
-                for (source, _) in &self.steps[k].combination {
-                    if let Source::Derived(earlier) = source {
-                        needed[*earlier] = true;
-                    }
-                }
-            }
+        let steps: Vec<Option<DerivedStep>> = self.steps[..=last].iter().cloned().map(Some).collect();
+        let mut steps = needed(steps);
+        if steps.iter().flatten().map(length).sum::<usize>() > READABLE {
+            steps = needed(compact(steps));
+            rescale(&mut steps);
         }
         let mut numbers = HashMap::new();
         let mut proof = Vec::new();
-        for k in (0..=last).filter(|&k| needed[k]) {
+        for (k, step) in steps.into_iter().enumerate().filter_map(|(k, step)| Some((k, step?))) {
             let named = |(source, multiplier): &(Source, Polynomial)| {
                 let premise = match source {
                     Source::Generator(g) => self.system.generators()[*g].0,
@@ -125,11 +125,30 @@ impl<'a> Derivation<'a> {
                 };
                 (premise, multiplier.clone())
             };
-            let mut combination: Vec<_> = self.steps[k].combination.iter().map(named).collect();
+            let mut combination: Vec<_> = step.combination.iter().map(named).collect();
             combination.sort_by_key(|(premise, _)| *premise);
-            proof.push(NamedStep { combination, conclusion: self.steps[k].conclusion.clone() });
+            proof.push(NamedStep { combination, conclusion: step.conclusion });
             numbers.insert(k, u32::try_from(proof.len()).expect("fewer than 2³² steps"));
         }
         Some(proof)
     }
+}
+
+/// The steps that the last one depends on; `None` in place of the others.
+fn needed(mut steps: Vec<Option<DerivedStep>>) -> Vec<Option<DerivedStep>> {
+    let mut needed = vec![false; steps.len()];
+    if let Some(last) = needed.last_mut() {
+        *last = true;
+    }
+    for k in (0..steps.len()).rev() {
+        if !needed[k] {
+            steps[k] = None;
+        }
+        for (source, _) in steps[k].iter().flat_map(|step| &step.combination) {
+            if let Source::Derived(earlier) = source {
+                needed[*earlier] = true;
+            }
+        }
+    }
+    steps
 }

@@ -83,12 +83,14 @@ struct Span {
 
 impl Span {
     fn new(images: Vec<Vec<(Monomial, u64)>>, prime: PrimeField) -> Self {
-        let monomials: BTreeSet<&Monomial> =
-            images.iter().flatten().map(|(monomial, _)| monomial).collect();
-        let columns: BTreeMap<Monomial, u32> =
-            monomials.into_iter().cloned().zip(0..).collect();
+        let monomials: BTreeSet<&Monomial> = images.iter().flatten().map(|(monomial, _)| monomial).collect();
+        let columns: BTreeMap<Monomial, u32> = monomials.into_iter().cloned().zip(0..).collect();
         let row = |image: Vec<(Monomial, u64)>| {
-            image.into_iter().filter(|&(_, value)| value != 0).map(|(m, value)| (columns[&m], value)).collect()
+            image
+                .into_iter()
+                .filter(|&(_, value)| value != 0)
+                .map(|(m, value)| (columns[&m], value))
+                .collect()
         };
         Span { prime, rows: images.into_iter().map(row).collect(), columns }
     }
@@ -145,7 +147,8 @@ impl Span {
         let Some(image) = self.prime.reduce_polynomial(part) else { return Ok(None) };
         let target: SparseRow = image.into_iter().map(|(m, value)| (self.columns[&m], value)).collect();
         let Inserted::Dependent(dependence) = echelon.insert(u32::MAX, &target) else { return Ok(None) };
-        let mut used: Vec<usize> = echelon.relation(&dependence).into_iter().map(|(id, _)| id as usize).collect();
+        let mut used: Vec<usize> =
+            echelon.relation(&dependence).into_iter().map(|(id, _)| id as usize).collect();
         used.retain(|&id| id != u32::MAX as usize);
         let rows: Vec<SparseRow> = used.iter().map(|&index| self.rows[index].clone()).collect();
         let monomials: Vec<&Monomial> = self.columns.keys().collect();
@@ -162,7 +165,8 @@ impl Span {
             .zip(factors)
             .map(|(&index, factor)| (equations[index], Polynomial::constant(factor)))
             .collect();
-        let products = combination.iter().flat_map(|(f, by)| by.multiply(derivation.polynomial(*f)).terms().to_vec());
+        let products =
+            combination.iter().flat_map(|(f, by)| by.multiply(derivation.polynomial(*f)).terms().to_vec());
         Ok((Polynomial::from_terms(part.field(), products) == *part).then_some(combination))
     }
 }

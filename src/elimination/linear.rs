@@ -228,7 +228,7 @@ impl Row {
     }
 }
 
-/// The shortest row, and in it the variable that occurs in the fewest rows (then the first one).
+/// The shortest row, and in it the variable that occurs in the fewest rows (then the last one).
 fn pivot(rows: &[Row]) -> Option<(usize, u16)> {
     let candidates = rows.iter().enumerate().filter(|(_, row)| row.equation.degree() == Some(1));
     let (position, row) = candidates.min_by_key(|(_, row)| row.equation.terms().len())?;
@@ -237,7 +237,7 @@ fn pivot(rows: &[Row]) -> Option<(usize, u16)> {
         rows.iter().filter(|row| row.equation.coefficient(&monomial).is_some()).count()
     };
     let variable =
-        row.equation.variables().into_iter().min_by_key(|&variable| (occurrences(variable), variable))?;
+        row.equation.variables().into_iter().min_by_key(|&variable| (occurrences(variable), !variable))?;
     Some((position, variable))
 }
 

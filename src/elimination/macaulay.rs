@@ -3,8 +3,7 @@
 //! The rows of the Macaulay matrix of degree D are the multiples m·f of degree ≤ D (Macaulay 1902; Lazard,
 //! EUROCAL 1983, doi:10.1007/3-540-12868-9_99). A row of the echelon form whose degree is below D is a new
 //! polynomial of the ideal of lower degree than the products it comes from; it joins the equations and is
-//! multiplied in turn ("mutants", Ding et al., SCC 2008). The search ends with 1, with a linear polynomial,
-//! with a Gröbner basis (every critical pair of its leading monomials has degree ≤ D), or with its patience.
+//! multiplied in turn ("mutants", Ding et al., SCC 2008). The search ends with 1, with a Gröbner basis (every critical pair of its leading monomials has degree ≤ D), or with its patience.
 
 use std::collections::HashMap;
 
@@ -16,9 +15,6 @@ use crate::algebra::{Monomial, PrimeField, splitting_primes};
 
 /// Columns of a matrix that this engine is willing to reduce.
 const COLUMNS: usize = 8_000;
-/// Columns up to which a linear polynomial is substituted at once: the proof reads better for it. In larger
-/// matrices that would mean lifting every linear polynomial, of which 1 may not need a single one.
-const RESTART: usize = 40;
 /// Rows likewise.
 const ROWS: usize = 24_000;
 /// How many primes may mislead before the search is given up.
@@ -27,7 +23,6 @@ const PRIMES: usize = 5;
 /// How a search ended. Sources are exact; everything modulo p has been left behind.
 pub(super) enum Search {
     Unit(Source),
-    Linear(Vec<Source>),
     Closed(Vec<Source>),
     TooLarge { degree: u32, matrix: (usize, usize) },
 }
@@ -152,11 +147,6 @@ impl Matrix {
                     return Ok(self.realize(unit, derivation, control)?.and_then(|source| {
                         super::linear::unit_from(derivation, source).map(Search::Unit).ok_or(Unlucky)
                     }));
-                }
-                let linear: Vec<u32> =
-                    fallen.iter().copied().filter(|&c| self.monomials[c as usize].degree() == 1).collect();
-                if !linear.is_empty() && self.monomials.len() <= RESTART {
-                    return Ok(self.realize_all(&linear, derivation, control)?.map(Search::Linear));
                 }
                 if fallen.is_empty() {
                     break;

@@ -10,6 +10,7 @@
 //! certificate is the part of that record the 1 depends on. Primes may mislead the search, never the proof.
 
 mod closure;
+mod compact;
 mod control;
 mod derivation;
 mod echelon;
@@ -21,7 +22,9 @@ mod lu;
 mod macaulay;
 mod points;
 mod reconstruct;
+mod rescale;
 mod solve;
+mod sparsify;
 mod system;
 
 pub use closure::Closure;
@@ -72,7 +75,8 @@ pub fn eliminate(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Outc
 fn run(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Result<Outcome, Interrupted> {
     let mut linear = Linear::new();
     let given = derivation.generators();
-    let mut equations = grading::homogeneous_parts(derivation, &given, control)?;
+    let parts = grading::homogeneous_parts(derivation, &given, control)?;
+    let mut equations = sparsify::sparsify(derivation, parts, control)?;
     loop {
         let rest = match linear.absorb(derivation, &equations, control)? {
             Absorbed::Unit(unit) => return Ok(Outcome::Unit(unit)),
@@ -86,8 +90,8 @@ fn run(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Result<Outcome
         }
         match Macaulay::new(derivation, &rest).search(derivation, control)? {
             Search::Unit(unit) => return Ok(Outcome::Unit(unit)),
-            Search::Linear(found) => equations.extend(found),
-            // In large matrices linear polynomials were not substituted when they turned up.
+            // Linear polynomials are not substituted when they turn up: they would all have to be lifted, of which 1 may
+            // not need a single one.
             Search::Closed(basis) if basis.iter().any(|&f| derivation.polynomial(f).degree() == Some(1)) => {
                 equations.extend(basis);
             }

@@ -36,8 +36,10 @@ pub(super) fn solve(
         }
     }
     drop(echelon);
-    let equations: Vec<Equation> =
-        columns.iter().map(|&column| Equation::new(rows.len(), |k| entry(k, column), right(column), field)).collect();
+    let equations: Vec<Equation> = columns
+        .iter()
+        .map(|&column| Equation::new(rows.len(), |k| entry(k, column), right(column), field))
+        .collect();
     let Some(mut lifting) = Lifting::new(equations, prime, field) else { return Ok(None) };
     let mut attempt = FIRST_ATTEMPT;
     loop {
@@ -69,8 +71,7 @@ impl Equation {
         right: Option<FieldElement>,
         field: MultiquadraticField,
     ) -> Self {
-        let exact: Vec<(usize, FieldElement)> =
-            (0..unknowns).filter_map(|k| Some((k, entry(k)?))).collect();
+        let exact: Vec<(usize, FieldElement)> = (0..unknowns).filter_map(|k| Some((k, entry(k)?))).collect();
         let right = right.unwrap_or_else(|| field.zero());
         let of_entries = exact.iter().map(|(_, value)| value.denominator());
         let denominator = of_entries.fold(right.denominator().clone(), |lcm, d| lcm.lcm(d));
@@ -97,7 +98,8 @@ impl Equation {
                 for (k, entry) in entries {
                     for (s, &a) in entry.iter().enumerate().filter(|&(_, &a)| a != 0) {
                         for (t, &b) in digits[*k].iter().enumerate() {
-                            let root = if s & t == 0 { 1 } else { i128::from(roots[s & t].to_i64().unwrap_or(0)) };
+                            let root =
+                                if s & t == 0 { 1 } else { i128::from(roots[s & t].to_i64().unwrap_or(0)) };
                             sum[s ^ t] += a * root * i128::from(b);
                         }
                     }
@@ -198,7 +200,11 @@ impl Lifting {
         }
         let (numerators, denominator) = reconstruct(&residues, &modulus)?;
         let elements = numerators.chunks(degree);
-        Some(elements.map(|coordinates| self.field.element(coordinates.to_vec(), denominator.clone())).collect())
+        Some(
+            elements
+                .map(|coordinates| self.field.element(coordinates.to_vec(), denominator.clone()))
+                .collect(),
+        )
     }
 }
 

@@ -1,0 +1,78 @@
+//! Shorter proofs: conclusions are multiplied by elements of K where that makes the text shorter.
+//!
+//! Associated numbers have very different lengths: 54√2 − 36√3 and 1, say, where only a unit and √6 are between them.
+
+use super::compact::length_of_polynomial;
+use super::derivation::{DerivedStep, Source};
+use crate::algebra::{FieldElement, Integer, MultiquadraticField, Polynomial};
+
+/// Characters beyond which a step and its users are not looked at.
+const LENGTH: usize = 3_000;
+
+/// A factor and its inverse.
+type Unit = (FieldElement, FieldElement);
+
+/// Rescales all conclusions but the last, which is 1.
+pub(super) fn rescale(steps: &mut [Option<DerivedStep>]) {
+    let Some(field) = steps.iter().flatten().map(|step| step.conclusion.field()).next() else { return };
+    let factors = small_elements(field);
+    for k in (0..steps.len().saturating_sub(1)).rev() {
+        while let Some((factor, inverse)) = better(k, steps, &factors) {
+            for (_, multiplier) in steps
+                .iter_mut()
+                .flatten()
+                .flat_map(|step| &mut step.combination)
+                .filter(|(premise, _)| *premise == Source::Derived(k))
+            {
+                *multiplier = multiplier.scaled(&inverse);
+            }
+            if let Some(step) = &mut steps[k] {
+                step.conclusion = step.conclusion.scaled(&factor);
+                for (_, multiplier) in &mut step.combination {
+                    *multiplier = multiplier.scaled(&factor);
+                }
+            }
+        }
+    }
+}
+
+/// The factor that shortens step `k` and its users most, if any does.
+fn better(k: usize, steps: &[Option<DerivedStep>], factors: &[Unit]) -> Option<Unit> {
+    let step = steps[k].as_ref()?;
+    let own: Vec<&Polynomial> = step.combination.iter().map(|(_, by)| by).chain([&step.conclusion]).collect();
+    let premises = steps.iter().flatten().flat_map(|user| &user.combination);
+    let used: Vec<&Polynomial> =
+        premises.filter(|(premise, _)| *premise == Source::Derived(k)).map(|(_, by)| by).collect();
+    let now: usize = own.iter().chain(&used).map(|by| length_of_polynomial(by)).sum();
+    if now > LENGTH {
+        return None;
+    }
+    let length = |(factor, inverse): &Unit| -> usize {
+        let own = own.iter().map(|by| length_of_polynomial(&by.scaled(factor)));
+        own.chain(used.iter().map(|by| length_of_polynomial(&by.scaled(inverse)))).sum()
+    };
+    let (best, shortest) =
+        factors.iter().map(|unit| (unit, length(unit))).min_by_key(|&(_, length)| length)?;
+    (shortest < now).then(|| best.clone())
+}
+
+/// Small elements of K and their inverses.
+fn small_elements(field: MultiquadraticField) -> Vec<Unit> {
+    let root = |subset: usize| {
+        let mut coordinates = vec![Integer::zero(); field.degree()];
+        coordinates[subset] = Integer::one();
+        field.element(coordinates, Integer::one())
+    };
+    let roots: Vec<FieldElement> = (0..field.degree()).map(root).collect();
+    let mut found: Vec<FieldElement> = [-1, 2, 3].map(|value| field.integer(value)).to_vec();
+    found.extend(roots[1..].iter().cloned());
+    for (k, a) in roots.iter().enumerate() {
+        for b in &roots[k + 1..] {
+            for (m, n) in [(1, 1), (1, -1), (2, 1), (2, -1)] {
+                found.push(&(a * &field.integer(m)) + &(b * &field.integer(n)));
+            }
+        }
+    }
+    let pairs = found.into_iter().filter_map(|value| Some((value.inverse()?, value)));
+    pairs.flat_map(|(inverse, value)| [(value.clone(), inverse.clone()), (inverse, value)]).collect()
+}
