@@ -104,8 +104,8 @@ fn interrupted(why: Interrupted) -> Attempt {
 
 fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
     let system = system_of(statement);
-    let mut derivation = Derivation::new(&system);
-    match eliminate(&mut derivation, control) {
+    let (derivation, outcome) = eliminate(&system, control);
+    match outcome {
         Outcome::Unit(unit) => {
             let argument = Argument::Impossible(steps(&derivation, unit)?);
             checked(statement, argument).map_err(ProveError::Refused)

@@ -4,12 +4,10 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::compact::{compact, length};
 use super::rescale::rescale;
+use super::strategy::SHORT;
 use super::system::System;
 use crate::algebra::{FieldElement, Monomial, Polynomial};
 use crate::certificate::Premise;
-
-/// Characters up to which a proof is left as it was found: it then tells how to get there.
-const READABLE: usize = 2_000;
 
 /// A polynomial of the ideal: given, or derived earlier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -103,6 +101,12 @@ impl<'a> Derivation<'a> {
         self.derive(vec![(source, Polynomial::term(factor, Monomial::one()))])
     }
 
+    /// About how many characters the steps take that `target` depends on.
+    pub(super) fn length_of_proof(&self, target: Source) -> usize {
+        let Source::Derived(last) = target else { return 0 };
+        needed(self.steps[..=last].iter().cloned().map(Some).collect()).iter().flatten().map(length).sum()
+    }
+
     /// The steps that `target` depends on, in order, each given by named premises, `target`'s own last.
     /// `None` if the target is an equation of the system itself.
     pub fn proof_of(&self, target: Source) -> Option<Vec<NamedStep>> {
@@ -111,7 +115,8 @@ impl<'a> Derivation<'a> {
         };
         let steps: Vec<Option<DerivedStep>> = self.steps[..=last].iter().cloned().map(Some).collect();
         let mut steps = needed(steps);
-        if steps.iter().flatten().map(length).sum::<usize>() > READABLE {
+        // A short proof is left as it was found: it tells how to get there.
+        if steps.iter().flatten().map(length).sum::<usize>() > SHORT {
             steps = needed(compact(steps));
             rescale(&mut steps);
         }

@@ -4,12 +4,14 @@ use std::collections::BTreeMap;
 
 use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
+use super::strategy::Strategy;
 use crate::algebra::{FieldElement, Monomial, Polynomial};
 
 /// The substitutions found so far. No eliminated variable occurs in another substitution.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Linear {
     substitutions: BTreeMap<u16, Source>,
+    strategy: Strategy,
 }
 
 /// What absorbing linear equations left.
@@ -27,8 +29,8 @@ struct Row {
 }
 
 impl Linear {
-    pub(super) fn new() -> Self {
-        Linear::default()
+    pub(super) fn new(strategy: Strategy) -> Self {
+        Linear { substitutions: BTreeMap::new(), strategy }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -120,7 +122,7 @@ impl Linear {
             })
             .collect();
         let mut solved: Vec<(u16, Row)> = Vec::new();
-        while let Some((position, variable)) = pivot(&rows) {
+        while let Some((position, variable)) = pivot(&rows, self.strategy) {
             control.check()?;
             let mut row = rows.swap_remove(position);
             let leading = row.equation.coefficient(&Monomial::variable(variable)).expect("the pivot");
@@ -148,7 +150,7 @@ impl Linear {
                 .insert(variable, derivation.derive(combination.collect()).expect("a pivot row is not zero"));
         }
         // The old substitutions must not mention the variables that are eliminated now.
-        let newer = Linear { substitutions: fresh };
+        let newer = Linear { substitutions: fresh, strategy: self.strategy };
         for equation in self.substitutions.values_mut() {
             *equation = newer.substitute_linear(derivation, *equation);
         }
@@ -228,16 +230,21 @@ impl Row {
     }
 }
 
-/// The shortest row, and in it the variable that occurs in the fewest rows (then the last one).
-fn pivot(rows: &[Row]) -> Option<(usize, u16)> {
+/// The shortest row, and in it the variable that occurs in the fewest rows (then the first one; the last one where
+/// that has proved to keep proofs shorter).
+fn pivot(rows: &[Row], strategy: Strategy) -> Option<(usize, u16)> {
     let candidates = rows.iter().enumerate().filter(|(_, row)| row.equation.degree() == Some(1));
     let (position, row) = candidates.min_by_key(|(_, row)| row.equation.terms().len())?;
     let occurrences = |variable: u16| {
         let monomial = Monomial::variable(variable);
         rows.iter().filter(|row| row.equation.coefficient(&monomial).is_some()).count()
     };
-    let variable =
-        row.equation.variables().into_iter().min_by_key(|&variable| (occurrences(variable), !variable))?;
+    let turn = |variable: u16| if strategy == Strategy::Plain { variable } else { !variable };
+    let variable = row
+        .equation
+        .variables()
+        .into_iter()
+        .min_by_key(|&variable| (occurrences(variable), turn(variable)))?;
     Some((position, variable))
 }
 

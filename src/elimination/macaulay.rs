@@ -3,7 +3,7 @@
 //! The rows of the Macaulay matrix of degree D are the multiples m·f of degree ≤ D (Macaulay 1902; Lazard,
 //! EUROCAL 1983, doi:10.1007/3-540-12868-9_99). A row of the echelon form whose degree is below D is a new
 //! polynomial of the ideal of lower degree than the products it comes from; it joins the equations and is
-//! multiplied in turn ("mutants", Ding et al., SCC 2008). The search ends with 1, with a Gröbner basis (every critical pair of its leading monomials has degree ≤ D), or with its patience.
+//! multiplied in turn ("mutants", Ding et al., SCC 2008). The search ends with 1, with a linear polynomial where those are substituted at once, with a Gröbner basis (every critical pair of its leading monomials has degree ≤ D), or with its patience.
 
 use std::collections::HashMap;
 
@@ -11,6 +11,7 @@ use super::control::{Control, Interrupted, Progress};
 use super::derivation::{Derivation, Source};
 use super::echelon::{Echelon, Inserted, SparseRow};
 use super::lift::{Multiple, lift};
+use super::strategy::{PLAIN, Strategy};
 use crate::algebra::{Monomial, PrimeField, splitting_primes};
 
 /// Columns of a matrix that this engine is willing to reduce.
@@ -23,6 +24,7 @@ const PRIMES: usize = 5;
 /// How a search ended. Sources are exact; everything modulo p has been left behind.
 pub(super) enum Search {
     Unit(Source),
+    Linear(Vec<Source>),
     Closed(Vec<Source>),
     TooLarge { degree: u32, matrix: (usize, usize) },
 }
@@ -31,6 +33,7 @@ pub(super) enum Search {
 pub(super) struct Macaulay {
     equations: Vec<Source>,
     variables: Vec<u16>,
+    strategy: Strategy,
 }
 
 /// A polynomial to be multiplied.
@@ -53,12 +56,12 @@ enum Origin {
 pub(super) struct Unlucky;
 
 impl Macaulay {
-    pub(super) fn new(derivation: &Derivation<'_>, equations: &[Source]) -> Self {
+    pub(super) fn new(derivation: &Derivation<'_>, equations: &[Source], strategy: Strategy) -> Self {
         let mut variables: Vec<u16> =
             equations.iter().flat_map(|&source| derivation.polynomial(source).variables()).collect();
         variables.sort_unstable();
         variables.dedup();
-        Macaulay { equations: equations.to_vec(), variables }
+        Macaulay { equations: equations.to_vec(), variables, strategy }
     }
 
     pub(super) fn search(
@@ -78,7 +81,7 @@ impl Macaulay {
                 })
                 .collect();
             let Some(elements) = images else { continue };
-            let mut matrix = Matrix::new(prime, self.variables.clone(), elements);
+            let mut matrix = Matrix::new(prime, self.variables.clone(), elements, self.strategy);
             match matrix.run(derivation, control)? {
                 Ok(search) => return Ok(search),
                 Err(Unlucky) => reached = matrix.degree,
@@ -95,6 +98,7 @@ struct Matrix {
     elements: Vec<Element>,
     /// Up to which degree each element has been multiplied.
     multiplied: Vec<Option<u32>>,
+    strategy: Strategy,
     degree: u32,
     /// All monomials up to `degree`, increasing: the columns.
     monomials: Vec<Monomial>,
@@ -106,13 +110,14 @@ struct Matrix {
 }
 
 impl Matrix {
-    fn new(prime: PrimeField, variables: Vec<u16>, elements: Vec<Element>) -> Self {
+    fn new(prime: PrimeField, variables: Vec<u16>, elements: Vec<Element>, strategy: Strategy) -> Self {
         let echelon = Echelon::new(prime.clone());
         Matrix {
             prime,
             variables,
             multiplied: vec![None; elements.len()],
             elements,
+            strategy,
             degree: 0,
             monomials: vec![Monomial::one()],
             columns: HashMap::from([(Monomial::one(), 0)]),
@@ -130,7 +135,8 @@ impl Matrix {
         let highest = self.elements.iter().map(|element| self.degree_of(element)).max().unwrap_or(0);
         loop {
             let (rows, columns) = self.size_at(self.degree + 1);
-            if columns > COLUMNS || rows > ROWS {
+            let plain = self.strategy == Strategy::Plain;
+            if columns > if plain { PLAIN } else { COLUMNS } || rows > ROWS {
                 return Ok(Ok(Search::TooLarge { degree: self.degree, matrix: (rows, columns) }));
             }
             self.degree += 1;
@@ -147,6 +153,11 @@ impl Matrix {
                     return Ok(self.realize(unit, derivation, control)?.and_then(|source| {
                         super::linear::unit_from(derivation, source).map(Search::Unit).ok_or(Unlucky)
                     }));
+                }
+                let linear: Vec<u32> =
+                    fallen.iter().copied().filter(|&c| self.monomials[c as usize].degree() == 1).collect();
+                if plain && !linear.is_empty() {
+                    return Ok(self.realize_all(&linear, derivation, control)?.map(Search::Linear));
                 }
                 if fallen.is_empty() {
                     break;

@@ -25,6 +25,7 @@ mod reconstruct;
 mod rescale;
 mod solve;
 mod sparsify;
+mod strategy;
 mod system;
 
 pub use closure::Closure;
@@ -36,6 +37,7 @@ pub use system::System;
 use crate::algebra::FieldElement;
 use linear::{Absorbed, Linear};
 use macaulay::{Macaulay, Search};
+use strategy::{SHORT, Strategy};
 
 /// How elimination ended.
 #[derive(Debug, Clone)]
@@ -64,19 +66,37 @@ pub enum Undecided {
     Interrupted(Interrupted),
 }
 
-/// Eliminates until 1, a point, or neither is found; `derivation` then holds what was derived.
-pub fn eliminate(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Outcome {
-    match run(derivation, control) {
-        Ok(outcome) => outcome,
-        Err(interrupted) => Outcome::Open(Undecided::Interrupted(interrupted)),
+/// Eliminates until 1, a point, or neither is found; with what was derived on the way.
+pub fn eliminate<'a>(system: &'a System, control: &Control<'_>) -> (Derivation<'a>, Outcome) {
+    for strategy in [Strategy::Plain, Strategy::Thorough] {
+        let mut derivation = Derivation::new(system);
+        let outcome = match run(&mut derivation, strategy, control) {
+            Ok(outcome) => outcome,
+            Err(interrupted) => Outcome::Open(Undecided::Interrupted(interrupted)),
+        };
+        let again = match &outcome {
+            Outcome::Unit(unit) => derivation.length_of_proof(*unit) > SHORT,
+            Outcome::Open(Undecided::TooLarge { .. }) => true,
+            _ => false,
+        };
+        if strategy == Strategy::Thorough || !again {
+            return (derivation, outcome);
+        }
     }
+    unreachable!("the thorough strategy is the last one")
 }
 
-fn run(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Result<Outcome, Interrupted> {
-    let mut linear = Linear::new();
-    let given = derivation.generators();
-    let parts = grading::homogeneous_parts(derivation, &given, control)?;
-    let mut equations = sparsify::sparsify(derivation, parts, control)?;
+fn run(
+    derivation: &mut Derivation<'_>,
+    strategy: Strategy,
+    control: &Control<'_>,
+) -> Result<Outcome, Interrupted> {
+    let mut linear = Linear::new(strategy);
+    let mut equations = derivation.generators();
+    if strategy == Strategy::Thorough {
+        equations = grading::homogeneous_parts(derivation, &equations, control)?;
+        equations = sparsify::sparsify(derivation, equations, control)?;
+    }
     loop {
         let rest = match linear.absorb(derivation, &equations, control)? {
             Absorbed::Unit(unit) => return Ok(Outcome::Unit(unit)),
@@ -88,9 +108,10 @@ fn run(derivation: &mut Derivation<'_>, control: &Control<'_>) -> Result<Outcome
         {
             return Ok(Outcome::Point(point));
         }
-        match Macaulay::new(derivation, &rest).search(derivation, control)? {
+        match Macaulay::new(derivation, &rest, strategy).search(derivation, control)? {
             Search::Unit(unit) => return Ok(Outcome::Unit(unit)),
-            // Linear polynomials are not substituted when they turn up: they would all have to be lifted, of which 1 may
+            Search::Linear(found) => equations.extend(found),
+            // Linear polynomials are not always substituted when they turn up: they would all have to be lifted, of which 1 may
             // not need a single one.
             Search::Closed(basis) if basis.iter().any(|&f| derivation.polynomial(f).degree() == Some(1)) => {
                 equations.extend(basis);

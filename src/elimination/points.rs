@@ -3,6 +3,7 @@
 use super::closure::Closure;
 use super::control::{Control, Interrupted};
 use super::derivation::Derivation;
+use super::strategy::Strategy;
 use super::system::System;
 use super::{Outcome, Undecided, run};
 use crate::algebra::{FieldElement, Monomial, Polynomial};
@@ -29,7 +30,7 @@ pub fn points_in_field(
         let fixed =
             Polynomial::variable(system.field(), variable).add(&Polynomial::term(-&root, Monomial::one()));
         let smaller = system.with_equation(fixed);
-        match run(&mut Derivation::new(&smaller), control)? {
+        match run(&mut Derivation::new(&smaller), Strategy::Thorough, control)? {
             Outcome::Point(point) => points.push(point),
             Outcome::Open(Undecided::Consistent(closure)) => {
                 points.extend(points_in_field(&smaller, &closure, control)?);
