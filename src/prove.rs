@@ -7,7 +7,7 @@ use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::checker::{CheckError, Claim, Equations, Rejection, Theorem, check_read};
 use crate::elimination::{
-    Control, Derivation, Interrupted, NamedStep, Outcome, Source, System, Undecided, eliminate,
+    Control, Derivation, Interrupted, NamedStep, Outcome, Progress, Source, System, Undecided, eliminate,
     points_in_field,
 };
 use crate::exact::{self, Limit, Work};
@@ -95,11 +95,12 @@ pub fn system_of(statement: &Statement) -> System {
 pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
     // The prover has no limits of its own; what the checker cannot derive is not worth proving.
     Equations::of(statement, &mut Work::full()).map_err(ProveError::TooLarge)?;
-    control.check().map_or_else(|why| Ok(interrupted(why)), |()| search(statement, control))
+    control.check().map_or_else(|why| Ok(interrupted(why, control)), |()| search(statement, control))
 }
 
-fn interrupted(why: Interrupted) -> Attempt {
-    Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why)))
+fn interrupted(why: Interrupted, control: &Control<'_>) -> Attempt {
+    let reached = control.reached.borrow().clone();
+    Attempt::Undecided(Reason::Elimination(Undecided::Interrupted { why, reached }))
 }
 
 fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
@@ -107,6 +108,7 @@ fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, Prove
     let (derivation, outcome) = eliminate(&system, control);
     match outcome {
         Outcome::Unit(unit) => {
+            control.observe(&Progress::Shortening);
             let argument = Argument::Impossible(steps(&derivation, unit)?);
             checked(statement, argument).map_err(ProveError::Refused)
         }
@@ -114,7 +116,7 @@ fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, Prove
         Outcome::Open(Undecided::Consistent(closure)) => {
             let points = match points_in_field(&system, &closure, control) {
                 Ok(points) => points,
-                Err(why) => return Ok(interrupted(why)),
+                Err(why) => return Ok(interrupted(why, control)),
             };
             let undecided = Attempt::Undecided(Reason::Elimination(Undecided::Consistent(closure)));
             Ok(best_point(statement, points)?.unwrap_or(undecided))

@@ -238,7 +238,7 @@ fn time_and_the_user_stop_the_work() {
     let equations: Vec<&str> = equations.iter().map(String::as_str).collect();
     let statement = system("[]", &names.join(" "), "", &equations);
     let stopped = |control: &Control<'_>| match prove(&statement, control).unwrap() {
-        Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why))) => why,
+        Attempt::Undecided(Reason::Elimination(Undecided::Interrupted { why, .. })) => why,
         other => panic!("{other:?}"),
     };
     let deadline = Some(Instant::now() + Duration::from_millis(50));

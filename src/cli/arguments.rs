@@ -1,11 +1,11 @@
 //! The command line of the full build.
 
 use std::path::PathBuf;
-use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::audit::{self, AuditOptions};
+use super::control::Limits;
 use super::outcome::{Failure, Outcome, Status};
 use super::{check, expand, list, prove};
 use crate::expand::Basis;
@@ -38,9 +38,8 @@ struct ProveOptions {
     /// Where statement.toml and certificate.txt are written [default: proofs/NAME].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Stop after this many seconds, UNDECIDED.
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
-    timeout: Option<Duration>,
+    #[command(flatten)]
+    limits: Limits,
 }
 
 #[derive(Debug, Subcommand)]
@@ -99,11 +98,6 @@ enum BasisName {
     Monomial,
 }
 
-pub(super) fn seconds(text: &str) -> Result<Duration, String> {
-    let seconds: f64 = text.parse().map_err(|_| "expected a number of seconds".to_owned())?;
-    Duration::try_from_secs_f64(seconds).map_err(|_| "expected a number of seconds from 0".to_owned())
-}
-
 /// Pretty JSON with a final newline.
 pub(super) fn to_json(data: &impl serde::Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(data).map(|text| text + "\n").map_err(Failure::of)
@@ -126,7 +120,7 @@ pub fn run() -> Result<Outcome, Failure> {
     }
     let prove = |source: Option<PathBuf>, options: ProveOptions| {
         let source = source.unwrap_or_else(|| PathBuf::from(DEFAULT));
-        prove::run(&source, options.output.as_deref(), options.timeout, format)
+        prove::run(&source, options.output.as_deref(), &options.limits, format)
     };
     match line.command {
         None => prove(None, line.options),

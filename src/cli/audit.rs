@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 
 use super::arguments::{Format, to_json};
 use super::check::read_limited;
-use super::control::under_control;
+use super::control::{Limits, under_control};
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
 use crate::audit::net::{Convention, NetAudit, PrintedNet, from_json, from_matlab};
@@ -38,9 +38,8 @@ pub(super) struct AuditOptions {
     /// The surface that a net is held against [default: what the file says, or the unit sphere].
     #[arg(long, value_name = "POLYNOMIAL")]
     surface: Option<String>,
-    /// Stop after this many seconds.
-    #[arg(long, value_name = "SECONDS", value_parser = super::arguments::seconds)]
-    timeout: Option<std::time::Duration>,
+    #[command(flatten)]
+    limits: Limits,
 }
 
 /// What a file to be audited is.
@@ -128,7 +127,7 @@ fn audit_listing(mut listing: Listing, options: &AuditOptions, format: Format) -
         ));
     };
     let source = Source::find(&named)?;
-    let audit = under_control(options.timeout, |control| Audit::of(&listing, &source.statement, control))?;
+    let audit = under_control(&options.limits, |control| Audit::of(&listing, &source.statement, control))?;
     let audit = match audit {
         Ok(audit) => audit,
         Err(error) => return stopped(options, error),
@@ -150,7 +149,7 @@ fn audit_net(mut net: PrintedNet, options: &AuditOptions, format: Format) -> Res
     if let Some(surface) = &options.surface {
         net.surface.clone_from(surface);
     }
-    let audit = match under_control(options.timeout, |control| NetAudit::of(&net, control))? {
+    let audit = match under_control(&options.limits, |control| NetAudit::of(&net, control))? {
         Ok(audit) => audit,
         Err(error) => return stopped(options, error),
     };

@@ -3,11 +3,10 @@
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use super::arguments::{Format, to_json};
 use super::check::examine;
-use super::control::under_control;
+use super::control::{Limits, under_control};
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
 use crate::exact::Work;
@@ -18,11 +17,11 @@ use crate::statement::Statement;
 pub(super) fn run(
     name_or_file: &Path,
     directory: Option<&Path>,
-    timeout: Option<Duration>,
+    limits: &Limits,
     format: Format,
 ) -> Result<Outcome, Failure> {
     let source = Source::find(name_or_file)?;
-    let attempt = under_control(timeout, |control| prove(&source.statement, control))?;
+    let attempt = under_control(limits, |control| prove(&source.statement, control))?;
     let attempt = attempt.map_err(Failure::of)?;
     let directory = match directory {
         Some(directory) => directory.to_path_buf(),

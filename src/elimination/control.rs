@@ -1,5 +1,6 @@
 //! Watching and stopping long work.
 
+use std::cell::RefCell;
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -11,6 +12,8 @@ pub enum Interrupted {
     Timeout,
     /// The user asked.
     Cancelled,
+    /// The memory allowed is used up.
+    Memory,
 }
 
 impl fmt::Display for Interrupted {
@@ -18,6 +21,7 @@ impl fmt::Display for Interrupted {
         f.write_str(match self {
             Interrupted::Timeout => "the time allowed is over",
             Interrupted::Cancelled => "interrupted",
+            Interrupted::Memory => "the memory allowed is used up",
         })
     }
 }
@@ -33,6 +37,15 @@ pub enum Progress {
         /// Equations that are left.
         left: usize,
     },
+    /// Equations were split into homogeneous parts, and these combined to sparser ones.
+    Parts {
+        /// Independent changes of sign of variables that map the equations' span to itself.
+        symmetries: usize,
+        /// Equations before.
+        equations: usize,
+        /// Equations after.
+        parts: usize,
+    },
     /// A matrix is being reduced modulo a prime.
     Matrix {
         /// Degree of the multiples.
@@ -42,11 +55,29 @@ pub enum Progress {
         /// Columns.
         columns: usize,
     },
+    /// A matrix was reduced modulo a prime.
+    Reduced {
+        /// Degree of the multiples.
+        degree: u32,
+        /// Rank.
+        rank: usize,
+        /// New polynomials of lower degree than the multiples they come from.
+        fallen: usize,
+    },
     /// A polynomial is being computed exactly.
     Lifting {
         /// Multiples that go into it.
         rows: usize,
+        /// The degree it has.
+        degree: u32,
     },
+    /// p-adic digits were computed.
+    Digits {
+        /// How many for each number.
+        digits: usize,
+    },
+    /// A proof was found and is being made shorter.
+    Shortening,
 }
 
 impl fmt::Display for Progress {
@@ -58,20 +89,34 @@ impl fmt::Display for Progress {
             Progress::Matrix { degree, rows, columns } => {
                 write!(f, "degree {degree}: {rows} multiples in {columns} monomials")
             }
-            Progress::Lifting { rows } => write!(f, "computing a combination of {rows} multiples exactly"),
+            Progress::Parts { symmetries, equations, parts } => {
+                write!(f, "sign symmetries: {symmetries}; {equations} equations in {parts} homogeneous parts")
+            }
+            Progress::Reduced { degree, rank, fallen } => {
+                write!(f, "degree {degree}: rank {rank}, {fallen} polynomials of lower degree found")
+            }
+            Progress::Lifting { rows, degree } => {
+                write!(f, "exactly: a combination of {rows} multiples that has degree {degree}")
+            }
+            Progress::Digits { digits } => write!(f, "exactly: {digits} p-adic digits of each coefficient"),
+            Progress::Shortening => f.write_str("shortening the proof"),
         }
     }
 }
 
-/// The strings by which long work is held: a deadline, a flag, an observer.
-#[derive(Clone, Copy, Default)]
+/// The strings by which long work is held: a deadline, flags, an observer.
+#[derive(Default)]
 pub struct Control<'a> {
     /// When to stop.
     pub deadline: Option<Instant>,
     /// Set from elsewhere (a signal handler) to stop.
     pub cancelled: Option<&'a AtomicBool>,
+    /// Set from elsewhere (whoever watches the memory) to stop.
+    pub memory: Option<&'a AtomicBool>,
     /// Told of progress.
     pub observer: Option<&'a dyn Fn(&Progress)>,
+    /// The last progress, for the account of what was reached.
+    pub reached: RefCell<Option<Progress>>,
 }
 
 impl Control<'_> {
@@ -79,6 +124,9 @@ impl Control<'_> {
     pub fn check(&self) -> Result<(), Interrupted> {
         if self.cancelled.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Err(Interrupted::Cancelled);
+        }
+        if self.memory.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            return Err(Interrupted::Memory);
         }
         match self.deadline {
             Some(deadline) if Instant::now() >= deadline => Err(Interrupted::Timeout),
@@ -88,6 +136,7 @@ impl Control<'_> {
 
     /// Tells the observer.
     pub fn observe(&self, progress: &Progress) {
+        self.reached.replace(Some(progress.clone()));
         if let Some(observer) = self.observer {
             observer(progress);
         }

@@ -24,12 +24,12 @@ struct Grading {
     odd: Vec<BTreeSet<u16>>,
 }
 
-/// The equations, each replaced by its homogeneous parts; the equations themselves where there is no symmetry to use.
+/// The number of independent symmetries, and the equations, each replaced by its homogeneous parts.
 pub(super) fn homogeneous_parts(
     derivation: &mut Derivation<'_>,
     equations: &[Source],
     control: &Control<'_>,
-) -> Result<Vec<Source>, Interrupted> {
+) -> Result<(usize, Vec<Source>), Interrupted> {
     let images = splitting_primes(derivation.system().field()).find_map(|prime| {
         let rows: Option<Vec<_>> =
             equations.iter().map(|&f| prime.reduce_polynomial(derivation.polynomial(f))).collect();
@@ -49,11 +49,11 @@ pub(super) fn homogeneous_parts(
             match span.express(index, &part, equations, derivation, control)? {
                 Some(combination) => parts.extend(derivation.derive(combination)),
                 // The prime was unlucky; without the parts the search is slower, not wrong.
-                None => return Ok(equations.to_vec()),
+                None => return Ok((0, equations.to_vec())),
             }
         }
     }
-    Ok(parts)
+    Ok((grading.odd.len(), parts))
 }
 
 impl Grading {

@@ -148,6 +148,8 @@ impl Matrix {
             loop {
                 self.multiply(control)?;
                 let fallen = self.fallen();
+                let rank = self.echelon.pivots().count();
+                control.observe(&Progress::Reduced { degree: self.degree, rank, fallen: fallen.len() });
                 if fallen.first() == Some(&0) {
                     let unit = self.element_leading_in(0);
                     return Ok(self.realize(unit, derivation, control)?.and_then(|source| {
@@ -339,8 +341,8 @@ impl Matrix {
                 Err(Unlucky) => return Ok(Err(Unlucky)),
             }
         }
-        control.observe(&Progress::Lifting { rows: rows.len() });
         let leading = &self.monomials[leading as usize];
+        control.observe(&Progress::Lifting { rows: rows.len(), degree: leading.degree() });
         let lifted = lift(derivation, &multiples, leading, &self.monomials, &self.prime, control)?;
         Ok(lifted.inspect(|&source| {
             self.lifted.insert(element, source);

@@ -62,8 +62,13 @@ pub enum Undecided {
         /// Rows and columns the next matrix would have.
         matrix: (usize, usize),
     },
-    /// Stopped by the user or by the clock.
-    Interrupted(Interrupted),
+    /// Stopped by the user, by the clock or for want of memory.
+    Interrupted {
+        /// Why.
+        why: Interrupted,
+        /// What was going on.
+        reached: Option<Progress>,
+    },
 }
 
 /// Eliminates until 1, a point, or neither is found; with what was derived on the way.
@@ -72,7 +77,11 @@ pub fn eliminate<'a>(system: &'a System, control: &Control<'_>) -> (Derivation<'
         let mut derivation = Derivation::new(system);
         let outcome = match run(&mut derivation, strategy, control) {
             Ok(outcome) => outcome,
-            Err(interrupted) => Outcome::Open(Undecided::Interrupted(interrupted)),
+            Err(why) => {
+                let reached = control.reached.borrow().clone();
+                let stopped = Outcome::Open(Undecided::Interrupted { why, reached });
+                return (derivation, stopped);
+            }
         };
         let again = match &outcome {
             Outcome::Unit(unit) => derivation.length_of_proof(*unit) > SHORT,
@@ -94,8 +103,10 @@ fn run(
     let mut linear = Linear::new(strategy);
     let mut equations = derivation.generators();
     if strategy == Strategy::Thorough {
-        equations = grading::homogeneous_parts(derivation, &equations, control)?;
-        equations = sparsify::sparsify(derivation, equations, control)?;
+        let given = equations.len();
+        let (symmetries, parts) = grading::homogeneous_parts(derivation, &equations, control)?;
+        equations = sparsify::sparsify(derivation, parts, control)?;
+        control.observe(&Progress::Parts { symmetries, equations: given, parts: equations.len() });
     }
     loop {
         let rest = match linear.absorb(derivation, &equations, control)? {

@@ -4,7 +4,7 @@
 //! the lifting gives one more p-adic digit of every coordinate of the solution. The cost is that of the size of the answer; the
 //! intermediate growth of elimination over K does not occur.
 
-use super::control::{Control, Interrupted};
+use super::control::{Control, Interrupted, Progress};
 use super::echelon::{Echelon, Inserted, SparseRow};
 use super::lu::Decomposition;
 use super::reconstruct::reconstruct;
@@ -46,6 +46,7 @@ pub(super) fn solve(
         control.check()?;
         lifting.step();
         if lifting.digits.len() == attempt {
+            control.observe(&Progress::Digits { digits: attempt });
             if let Some(solution) = lifting.solution() {
                 return Ok(Some(solution));
             }

@@ -122,6 +122,7 @@ enum ReasonData {
     },
     Interrupted {
         why: String,
+        reached: Option<String>,
     },
     NoDenominator,
 }
@@ -246,7 +247,10 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
         Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => {
             ReasonData::TooLarge { degree: *degree, rows: *rows, columns: *columns }
         }
-        Reason::Elimination(Undecided::Interrupted(why)) => ReasonData::Interrupted { why: why.to_string() },
+        Reason::Elimination(Undecided::Interrupted { why, reached }) => ReasonData::Interrupted {
+            why: why.to_string(),
+            reached: reached.as_ref().map(ToString::to_string),
+        },
         Reason::Elimination(Undecided::Consistent(closure)) => {
             let mut basis = Vec::new();
             for polynomial in closure.linear.iter().chain(&closure.basis) {

@@ -22,7 +22,7 @@ pub(super) fn headline(reason: &Reason) -> &'static str {
         }
         Reason::Elimination(Undecided::Consistent(_)) => "there are complex zeros",
         Reason::Elimination(Undecided::TooLarge { .. }) => "the search became too large",
-        Reason::Elimination(Undecided::Interrupted(_)) => "stopped early",
+        Reason::Elimination(Undecided::Interrupted { .. }) => "stopped early",
     }
 }
 
@@ -42,8 +42,11 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
                 "Up to degree {degree} no combination of multiples of the equations is 1. The next matrix would have\n{columns} columns and {rows} rows or more: that is beyond this engine."
             );
         }
-        Reason::Elimination(Undecided::Interrupted(why)) => {
+        Reason::Elimination(Undecided::Interrupted { why, reached }) => {
             let _ = writeln!(text, "Stopped: {why}. Nothing was established.");
+            if let Some(reached) = reached {
+                let _ = writeln!(text, "Reached: {reached}.");
+            }
         }
         Reason::Elimination(Undecided::Consistent(closure)) => {
             let field = statement.field();
