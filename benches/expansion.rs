@@ -3,7 +3,7 @@
 //! `cargo bench --bench expansion`, with `--features gmp` for the other backend.
 
 use prove_cap::bezier::surface_condition;
-use prove_cap::catalogue::{Cap, Interior};
+use prove_cap::catalogue::{Cap, Interior, Symmetry};
 use prove_cap::prove::field_of;
 use prove_cap::statement::{Statement, Subject};
 
@@ -13,7 +13,7 @@ fn main() {
 
 /// The cap's statement of bidegree (m,m): 4(m−1)² unknowns.
 fn statement(m: u32) -> Statement {
-    let cap = Cap { bidegree: (m, m), interior: Interior::Free, corner_weight: false };
+    let cap = Cap { bidegree: (m, m), interior: Interior::Free(Symmetry::None), corner_weight: false };
     Statement::read(&cap.statement()).expect("a generated statement is well formed")
 }
 

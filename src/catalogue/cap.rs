@@ -3,23 +3,33 @@
 use itertools::{Itertools, iproduct};
 
 use super::parts;
-use super::spell::spell;
 use super::symmetry::{ALL, ROTATIONS, orbit};
-use crate::algebra::{FieldElement, MultiquadraticField};
-use crate::bezier::RationalArc;
+use super::weighted::WeightedArc;
+use crate::algebra::MultiquadraticField;
 use crate::geometry::CubeFace;
+
+/// The motions of the square that map the net to itself (Schönflies notation).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Symmetry {
+    /// None but the identity.
+    None,
+    /// The half-turn.
+    C2,
+    /// The two reflections u → 1−u and v → 1−v, and so the half-turn.
+    D2,
+    /// The rotations; bidegree (m,m) only.
+    C4,
+    /// The rotations and reflections; bidegree (m,m) only.
+    D4,
+}
 
 /// What is known of the inner control points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interior {
     /// Bidegree (2,2) only: the centre is (0, 0, z) with weight w, as in the paper.
     OnAxis,
-    /// Nothing.
-    Free,
-    /// The net is mapped to itself by the rotations of the square.
-    C4,
-    /// The net is mapped to itself by the rotations and reflections of the square.
-    D4,
+    /// Nothing but the symmetry.
+    Free(Symmetry),
 }
 
 /// A family of patches for the cap, bounded by the four arcs of great circles over the edges of the cube face.
@@ -29,12 +39,13 @@ pub struct Cap {
     pub bidegree: (u32, u32),
     /// The interior.
     pub interior: Interior,
-    /// Whether the corner (1,1) has the weight d², d ≠ 0 unknown, instead of 1; bidegree (2,2) only.
+    /// Whether one corner has the weight d², d ≠ 0 unknown, instead of 1: the corner u = v = 1, and with the half-turn
+    /// both that it does not map to each other otherwise. Larger symmetries make all corner weights equal.
     pub corner_weight: bool,
 }
 
 /// The four numbers of a control point, as expressions.
-type Entries = [String; 4];
+pub(super) type Entries = [String; 4];
 
 impl Cap {
     /// The field of the cap.
@@ -84,44 +95,72 @@ impl Cap {
         let (m, n) = self.bidegree;
         let interior = match (self.interior, self.corner_weight) {
             (Interior::OnAxis, _) => "centre on the axis",
-            (Interior::Free, false) => "interior unknown",
-            (Interior::Free, true) => "interior and corner weights unknown",
-            (Interior::C4, _) => "interior with the rotations of the square",
-            (Interior::D4, _) => "interior with the symmetry of the square",
+            (Interior::Free(Symmetry::None), false) => "interior unknown",
+            (Interior::Free(Symmetry::None), true) => "interior and corner weights unknown",
+            (Interior::Free(Symmetry::C2), false) => "interior with the half-turn",
+            (Interior::Free(Symmetry::C2), true) => "interior with the half-turn, corner weights unknown",
+            (Interior::Free(Symmetry::D2), _) => "interior with two reflections",
+            (Interior::Free(Symmetry::C4), _) => "interior with the rotations of the square",
+            (Interior::Free(Symmetry::D4), _) => "interior with the symmetry of the square",
         };
         let edges = if self.corner_weight { "" } else { ", standard edges" };
         format!("Spherical cap over a cube face, bidegree ({m},{n}), {interior}{edges}")
     }
 
-    fn remark(&self) -> &'static str {
+    fn remark(&self) -> String {
+        let rows = "Rows along u (y increasing), points along v (x increasing): [wx, wy, wz, w].";
+        let edges = "The edges are the rational quadratic arcs of the inscribed cube, raised in degree.";
         match (self.corner_weight, self.interior, self.bidegree) {
-            (true, ..) => {
-                "Scaling the patch and reparametrising u -> au/(1-u+au), v likewise, makes three corner weights 1.\n\
-                 # The fourth is d^2 > 0, and an edge between weights p and q has the middle weight sqrt(2/3)*sqrt(p*q)."
-            }
-            (_, Interior::OnAxis, _) => {
-                "Rows i = 0, 1, 2 along u (y increasing), points j = 0, 1, 2 along v (x increasing): [x, y, z, w].\n\
-                 # Corners of the cube inscribed in the unit sphere; tangents of the edges meet in the middle points."
-            }
-            (_, _, (2, 2)) => "Rows along u (y increasing), points along v (x increasing): [wx, wy, wz, w].",
-            _ => {
-                "Rows along u (y increasing), points along v (x increasing): [wx, wy, wz, w].\n\
-                 # The edges are the rational quadratic arcs of the inscribed cube, raised in degree."
-            }
+            (true, Interior::Free(Symmetry::None), (2, 2)) => [
+                "Scaling the patch and reparametrising u -> au/(1-u+au), v likewise, makes three corner weights 1.",
+                "The fourth is d^2 > 0, and an edge between weights p and q has the middle weight sqrt(2/3)*sqrt(p*q).",
+            ]
+            .join("\n# "),
+            (true, ..) => [
+                rows,
+                edges,
+                "Scaling the patch and reparametrising u -> au/(1-u+au), v likewise, makes all corner weights 1",
+                "but one, or with the half-turn but an opposite pair. Such a weight is d^2 > 0.",
+            ]
+            .join("\n# "),
+            (_, Interior::OnAxis, _) => [
+                "Rows i = 0, 1, 2 along u (y increasing), points j = 0, 1, 2 along v (x increasing): [x, y, z, w].",
+                "Corners of the cube inscribed in the unit sphere; tangents of the edges meet in the middle points.",
+            ]
+            .join("\n# "),
+            (_, _, (2, 2)) => rows.to_owned(),
+            (_, Interior::Free(Symmetry::None | Symmetry::C2), _) => [
+                rows,
+                edges,
+                "The interior is the sum of its parts: X11 keeps its sign under the reflections u -> 1-u, y -> -y and",
+                "v -> 1-v, x -> -x of the cap; X11u, X11v, X11uv change it under the first, the second, both.",
+            ]
+            .join("\n# "),
+            _ => [rows, edges].join("\n# "),
         }
     }
 
     fn net(&self) -> Vec<Vec<Entries>> {
         let (m, n) = self.bidegree;
         let face = CubeFace::derive(Cap::field()).expect("the cube's side lies in Q(√2,√3)");
-        let along_u = [0, 1]
-            .map(|v| face.edge_along_u(v).expect("its weight lies in Q(√2,√3)").to_curve().elevated_to(m));
-        let along_v = [0, 1]
-            .map(|u| face.edge_along_v(u).expect("its weight lies in Q(√2,√3)").to_curve().elevated_to(n));
+        // The corner (i, j) has the weight d^power.
+        let power = |i: usize, j: usize| match (self.corner_weight, self.interior) {
+            (true, Interior::Free(Symmetry::C2)) => 2 * u32::from(i != j),
+            (true, _) => 2 * u32::from(i == 1 && j == 1),
+            (false, _) => 0,
+        };
+        let along_u = [0, 1].map(|v| {
+            let arc = face.edge_along_u(v).expect("its weight lies in Q(√2,√3)").to_curve();
+            WeightedArc::new(&arc, [power(0, v), power(1, v)]).elevated_to(m)
+        });
+        let along_v = [0, 1].map(|u| {
+            let arc = face.edge_along_v(u).expect("its weight lies in Q(√2,√3)").to_curve();
+            WeightedArc::new(&arc, [power(u, 0), power(u, 1)]).elevated_to(n)
+        });
         let mut net = vec![vec![Entries::default(); n as usize + 1]; m as usize + 1];
         for (i, j) in iproduct!(0..=m, 0..=n) {
-            let edge = |curves: &[RationalArc; 2], which: u32, at: u32| {
-                self.entries(&curves[which as usize].points[at as usize], i, j)
+            let edge = |curves: &[WeightedArc; 2], which: u32, at: u32| {
+                curves[which as usize].entries(at as usize, self.is_cartesian())
             };
             net[i as usize][j as usize] = match (i, j) {
                 (0, _) => edge(&along_v, 0, j),
@@ -134,31 +173,12 @@ impl Cap {
         net
     }
 
-    /// A point of an edge, with the power of d that a free corner weight brings.
-    fn entries(&self, point: &[FieldElement; 4], i: u32, j: u32) -> Entries {
-        if self.is_cartesian() {
-            let [.., w] = point;
-            let inverse = w.inverse().expect("weights of the edges are not zero");
-            return std::array::from_fn(|k| spell(&if k < 3 { &point[k] * &inverse } else { w.clone() }));
-        }
-        let factor = match (self.corner_weight, i, j) {
-            (true, 2, 2) => "d^2",
-            (true, 1, 2) | (true, 2, 1) => "d",
-            _ => "",
-        };
-        std::array::from_fn(|k| match (spell(&point[k]).as_str(), factor) {
-            (number, "") | (number @ "0", _) => number.to_owned(),
-            ("1", factor) => factor.to_owned(),
-            (number, factor) => format!("{number}*{factor}"),
-        })
-    }
-
     fn inner(&self, i: u32, j: u32) -> Entries {
         let group = match self.interior {
             Interior::OnAxis => return ["0", "0", "z", "w"].map(String::from),
-            Interior::Free => return parts::entries(self.bidegree, i, j),
-            Interior::C4 => &ROTATIONS[..],
-            Interior::D4 => &ALL[..],
+            Interior::Free(Symmetry::C4) => &ROTATIONS[..],
+            Interior::Free(Symmetry::D4) => &ALL[..],
+            Interior::Free(symmetry) => return parts::entries(self.bidegree, symmetry, i, j),
         };
         let ((a, b), [x, y]) = orbit(self.bidegree.0, group, i, j);
         let index = if a < 10 && b < 10 { format!("{a}{b}") } else { format!("{a}_{b}") };

@@ -4,11 +4,14 @@
 //! control point of theirs is typed in. The positive controls are files.
 
 mod cap;
+mod family;
 mod parts;
 mod spell;
 mod symmetry;
+mod weighted;
 
-pub use cap::{Cap, Interior};
+pub use cap::{Cap, Interior, Symmetry};
+pub use family::{FAMILY, cap};
 pub use spell::spell;
 
 /// A built-in statement.
@@ -27,26 +30,35 @@ enum Kind {
     File(&'static str),
 }
 
-const fn cap(name: &'static str, summary: &'static str, m: u32, n: u32, interior: Interior) -> Entry {
+const fn free(name: &'static str, summary: &'static str, m: u32, n: u32, symmetry: Symmetry) -> Entry {
+    let interior = Interior::Free(symmetry);
     Entry { name, summary, kind: Kind::Cap(Cap { bidegree: (m, n), interior, corner_weight: false }) }
 }
 
 /// All built-in statements.
 pub const ENTRIES: &[Entry] = &[
-    cap("cap-2x2", "the paper's patch: biquadratic, centre on the axis", 2, 2, Interior::OnAxis),
-    cap("cap-2x2-centre", "biquadratic, centre anywhere (without the paper's Eq. 9)", 2, 2, Interior::Free),
+    Entry {
+        name: "cap-2x2",
+        summary: "the paper's patch: biquadratic, centre on the axis",
+        kind: Kind::Cap(Cap { bidegree: (2, 2), interior: Interior::OnAxis, corner_weight: false }),
+    },
+    free("cap-2x2-centre", "biquadratic, centre anywhere (without the paper's Eq. 9)", 2, 2, Symmetry::None),
     Entry {
         name: "cap-2x2-weights",
         summary: "biquadratic, centre and corner weights free: every biquadratic patch of this cap",
-        kind: Kind::Cap(Cap { bidegree: (2, 2), interior: Interior::Free, corner_weight: true }),
+        kind: Kind::Cap(Cap {
+            bidegree: (2, 2),
+            interior: Interior::Free(Symmetry::None),
+            corner_weight: true,
+        }),
     },
-    cap("cap-3x3-d4", "bicubic with the symmetry of the square, standard edges", 3, 3, Interior::D4),
-    cap("cap-3x3-c4", "bicubic with the rotations of the square, standard edges", 3, 3, Interior::C4),
-    cap("cap-3x2", "bidegree (3,2), no symmetry, standard edges", 3, 2, Interior::Free),
-    cap("cap-3x3", "bicubic, no symmetry, standard edges", 3, 3, Interior::Free),
-    cap("cap-4x2", "bidegree (4,2), no symmetry, standard edges", 4, 2, Interior::Free),
-    cap("cap-4x3", "bidegree (4,3), no symmetry, standard edges", 4, 3, Interior::Free),
-    cap("cap-4x4-d4", "biquartic with the symmetry of the square, standard edges", 4, 4, Interior::D4),
+    free("cap-3x3-d4", "bicubic with the symmetry of the square, standard edges", 3, 3, Symmetry::D4),
+    free("cap-3x3-c4", "bicubic with the rotations of the square, standard edges", 3, 3, Symmetry::C4),
+    free("cap-3x2", "bidegree (3,2), no symmetry, standard edges", 3, 2, Symmetry::None),
+    free("cap-3x3", "bicubic, no symmetry, standard edges", 3, 3, Symmetry::None),
+    free("cap-4x2", "bidegree (4,2), no symmetry, standard edges", 4, 2, Symmetry::None),
+    free("cap-4x3", "bidegree (4,3), no symmetry, standard edges", 4, 3, Symmetry::None),
+    free("cap-4x4-d4", "biquartic with the symmetry of the square, standard edges", 4, 4, Symmetry::D4),
     Entry {
         name: "cobb",
         summary: "positive control: Cobb's biquartic patch of the cap, its edges parametrised otherwise",

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::arguments::Format;
 use super::outcome::{Failure, Outcome};
-use crate::catalogue::ENTRIES;
+use crate::catalogue::{ENTRIES, FAMILY};
 use crate::report::json;
 use crate::statement::Statement;
 
@@ -23,6 +23,7 @@ pub(super) fn run(format: Format) -> Result<Outcome, Failure> {
             "statement": json::statement(&statement),
         }));
     }
+    let _ = writeln!(text, "\nCaps of other degrees: {FAMILY}, M and N from 2.");
     match format {
         Format::Text | Format::Latex => Ok(Outcome::plain(text)),
         Format::Json => super::arguments::to_json(&data).map(Outcome::plain),

@@ -29,12 +29,19 @@ impl Source {
                 Statement::read(&text).map_err(|error| Failure(format!("{}:{error}", entry.name)))?;
             return Ok(Source { name: entry.name.to_owned(), text, statement, cap: entry.is_cap() });
         }
+        let family = name_or_file.to_str().filter(|_| !name_or_file.exists());
+        if let Some((name, cap)) = family.and_then(|name| Some((name, catalogue::cap(name)?))) {
+            let text = cap.map_err(Failure)?.statement();
+            let statement = Statement::read(&text).map_err(|error| Failure(format!("{name}:{error}")))?;
+            return Ok(Source { name: name.to_owned(), text, statement, cap: true });
+        }
         if !name_or_file.exists() {
             let names: Vec<&str> = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
             return Err(Failure(format!(
-                "`{}` is neither a file nor a built-in statement\nbuilt-in: {}",
+                "`{}` is neither a file nor a built-in statement\nbuilt-in: {}; and all {}",
                 name_or_file.display(),
-                names.join(", ")
+                names.join(", "),
+                catalogue::FAMILY
             )));
         }
         let bytes = read_limited(name_or_file, limits::STATEMENT_BYTES)?;
