@@ -57,6 +57,11 @@ impl Polynomial {
         &self.terms
     }
 
+    /// The terms themselves.
+    pub fn into_terms(self) -> Vec<(Monomial, FieldElement)> {
+        self.terms
+    }
+
     /// The largest monomial with its coefficient, `None` for 0.
     pub fn leading_term(&self) -> Option<&(Monomial, FieldElement)> {
         self.terms.first()

@@ -82,18 +82,27 @@ impl<'a> Derivation<'a> {
         merged.retain(|_, multiplier| !multiplier.is_zero());
         let products =
             merged.iter().map(|(&source, multiplier)| multiplier.multiply(self.polynomial(source)));
-        let terms: Vec<_> = products.flat_map(|product| product.terms().to_vec()).collect();
+        let terms: Vec<_> = products.flat_map(Polynomial::into_terms).collect();
         let conclusion = Polynomial::from_terms(self.system.field(), terms);
         if conclusion.is_zero() {
             return None;
         }
+        Some(self.record(merged.into_iter().collect(), conclusion))
+    }
+
+    /// Records a combination, without repetitions, that is known to come to `conclusion`, which is not zero.
+    pub(super) fn record(
+        &mut self,
+        combination: Vec<(Source, Polynomial)>,
+        conclusion: Polynomial,
+    ) -> Source {
         if let Some(&source) = self.known.get(&conclusion) {
-            return Some(source);
+            return source;
         }
         let source = Source::Derived(self.steps.len());
         self.known.insert(conclusion.clone(), source);
-        self.steps.push(DerivedStep { combination: merged.into_iter().collect(), conclusion });
-        Some(source)
+        self.steps.push(DerivedStep { combination, conclusion });
+        source
     }
 
     /// Records factor · source.

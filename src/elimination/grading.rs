@@ -14,7 +14,7 @@ use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
 use super::echelon::{Echelon, Inserted, SparseRow};
 use super::solve::solve;
-use crate::algebra::{FieldElement, Monomial, Polynomial, PrimeField, splitting_primes};
+use crate::algebra::{FieldElement, Integer, Monomial, Polynomial, PrimeField, splitting_primes};
 
 /// The classes are kept in the bits of a word.
 const SYMMETRIES: usize = 64;
@@ -156,14 +156,16 @@ impl Span {
             derivation.polynomial(equations[used[k]]).coefficient(monomials[column as usize]).cloned()
         };
         let right = |column: u32| part.coefficient(monomials[column as usize]).cloned();
-        let Some(factors) = solve(&rows, entry, right, &self.prime, derivation.system().field(), control)?
+        let Some((factors, denominator)) =
+            solve(&rows, entry, right, &self.prime, derivation.system().field(), control)?
         else {
             return Ok(None);
         };
+        let inverse = part.field().rational(Integer::one(), denominator);
         let combination: Vec<_> = used
             .iter()
             .zip(factors)
-            .map(|(&index, factor)| (equations[index], Polynomial::constant(factor)))
+            .map(|(&index, factor)| (equations[index], Polynomial::constant(&factor * &inverse)))
             .collect();
         let products =
             combination.iter().flat_map(|(f, by)| by.multiply(derivation.polynomial(*f)).terms().to_vec());

@@ -8,7 +8,7 @@ use super::echelon::SparseRow;
 use super::linear::normalizing_factor;
 use super::macaulay::Unlucky;
 use super::solve::solve;
-use crate::algebra::{Monomial, Polynomial, PrimeField};
+use crate::algebra::{FieldElement, Integer, Monomial, Polynomial, PrimeField};
 
 /// multiplier · source, with the part modulo p that is to cancel.
 pub(super) struct Multiple {
@@ -39,22 +39,27 @@ pub(super) fn lift(
     };
     let entry = |k: usize, column: u32| coefficient(&others[k], column).cloned();
     let right = |column: u32| coefficient(last, column).map(|value| -value);
-    let Some(factors) = solve(&rows, entry, right, prime, field, control)? else {
+    let Some((factors, denominator)) = solve(&rows, entry, right, prime, field, control)? else {
         return Ok(Err(Unlucky));
     };
 
-    let mut combination: BTreeMap<Source, Polynomial> = BTreeMap::new();
-    for (multiple, factor) in others.iter().zip(&factors).chain([(last, &field.one())]) {
-        let term = Polynomial::term(factor.clone(), multiple.multiplier.clone());
-        let sum = combination.entry(multiple.source).or_insert_with(|| Polynomial::zero(field));
-        *sum = sum.add(&term);
+    let of_last = field.rational(denominator, Integer::one());
+    let mut terms: BTreeMap<Source, Vec<(Monomial, FieldElement)>> = BTreeMap::new();
+    for (multiple, factor) in others.iter().zip(factors).chain([(last, of_last)]) {
+        terms.entry(multiple.source).or_default().push((multiple.multiplier.clone(), factor));
     }
-    let products = combination.iter().map(|(&source, by)| by.multiply(derivation.polynomial(source)));
-    let sum = Polynomial::from_terms(field, products.flat_map(|product| product.terms().to_vec()));
+    let combination: Vec<(Source, Polynomial)> =
+        terms.into_iter().map(|(source, terms)| (source, Polynomial::from_terms(field, terms))).collect();
+    let mut products = Vec::new();
+    for (source, by) in &combination {
+        control.check()?;
+        products.extend(by.multiply(derivation.polynomial(*source)).into_terms());
+    }
+    let sum = Polynomial::from_terms(field, products);
     if sum.leading_term().is_none_or(|(monomial, _)| monomial != leading) {
         return Ok(Err(Unlucky));
     }
     let factor = normalizing_factor(&sum);
     let scaled = combination.into_iter().map(|(source, by)| (source, by.scaled(&factor))).collect();
-    Ok(derivation.derive(scaled).ok_or(Unlucky))
+    Ok(Ok(derivation.record(scaled, sum.scaled(&factor))))
 }

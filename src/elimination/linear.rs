@@ -248,11 +248,15 @@ fn pivot(rows: &[Row], strategy: Strategy) -> Option<(usize, u16)> {
     Some((position, variable))
 }
 
+/// Bits of a leading coefficient that a linear polynomial is still divided by.
+const MONIC: u64 = 64;
+
 /// What brings a polynomial into its usual form: monic if it is linear, since that reads as a solution; without
-/// fractions otherwise.
+/// fractions otherwise, or where division would make long numbers longer.
 pub(super) fn normalizing_factor(polynomial: &Polynomial) -> FieldElement {
     let (monomial, coefficient) = polynomial.leading_term().expect("not zero");
-    if monomial.degree() <= 1 {
+    let short = coefficient.numerators().iter().all(|numerator| numerator.bits() <= MONIC);
+    if monomial.degree() <= 1 && short {
         coefficient.inverse().expect("coefficients are not zero")
     } else {
         polynomial.primitive_factor()

@@ -15,9 +15,9 @@ use super::strategy::{PLAIN, Strategy};
 use crate::algebra::{Monomial, PrimeField, splitting_primes};
 
 /// Columns of a matrix that this engine is willing to reduce.
-const COLUMNS: usize = 8_000;
+const COLUMNS: usize = 200_000;
 /// Rows likewise.
-const ROWS: usize = 24_000;
+const ROWS: usize = 1_000_000;
 /// How many primes may mislead before the search is given up.
 const PRIMES: usize = 5;
 

@@ -4,6 +4,8 @@
 //! the lifting gives one more p-adic digit of every coordinate of the solution. The cost is that of the size of the answer; the
 //! intermediate growth of elimination over K does not occur.
 
+use rayon::prelude::*;
+
 use super::control::{Control, Interrupted, Progress};
 use super::echelon::{Echelon, Inserted, SparseRow};
 use super::lu::Decomposition;
@@ -14,8 +16,10 @@ use crate::algebra::{FieldElement, Integer, MultiquadraticField, PrimeField};
 const SMALL: u64 = 60;
 /// p-adic digits before the first attempt at reconstruction.
 const FIRST_ATTEMPT: usize = 6;
+/// p-adic digits from which attempts are worth mentioning.
+const MANY: usize = 30;
 
-/// The x with Σ xₖ · rowₖ = right in the columns in which the rows lead.
+/// Integral x and an integer d > 0 with Σ xₖ · rowₖ = d · right in the columns in which the rows lead.
 ///
 /// `rows` are the images modulo p, independent there; `entry(k, column)` and `right(column)` are the exact entries, `None`
 /// where they are zero. `None` if p was unlucky. Whether other columns agree is for the caller to verify.
@@ -26,7 +30,7 @@ pub(super) fn solve(
     prime: &PrimeField,
     field: MultiquadraticField,
     control: &Control<'_>,
-) -> Result<Option<Vec<FieldElement>>, Interrupted> {
+) -> Result<Option<(Vec<FieldElement>, Integer)>, Interrupted> {
     let mut echelon = Echelon::new(prime.clone());
     let mut columns = Vec::new();
     for (id, row) in (0..).zip(rows) {
@@ -46,7 +50,9 @@ pub(super) fn solve(
         control.check()?;
         lifting.step();
         if lifting.digits.len() == attempt {
-            control.observe(&Progress::Digits { digits: attempt });
+            if attempt >= MANY {
+                control.observe(&Progress::Digits { digits: attempt });
+            }
             if let Some(solution) = lifting.solution() {
                 return Ok(Some(solution));
             }
@@ -151,7 +157,7 @@ impl Lifting {
             }
             Some((embedding.clone(), Decomposition::new(embedding, size, matrix)?))
         };
-        let embeddings: Option<Vec<_>> = prime.embeddings().into_iter().map(decompose).collect();
+        let embeddings: Option<Vec<_>> = prime.embeddings().into_par_iter().map(decompose).collect();
         Some(Lifting {
             embeddings: embeddings?,
             p: Integer::from(prime.modulus() as i64),
@@ -166,7 +172,7 @@ impl Lifting {
     fn step(&mut self) {
         let images: Vec<Vec<u64>> = self
             .embeddings
-            .iter()
+            .par_iter()
             .map(|(embedding, decomposition)| {
                 let right: Vec<u64> = self.equations.iter().map(|e| embedding.combine(&e.residue)).collect();
                 decomposition.solve(&right)
@@ -177,14 +183,13 @@ impl Lifting {
         let digits: Vec<Vec<i64>> = unknowns
             .map(|k| prime.coordinates(&images.iter().map(|image| image[k]).collect::<Vec<_>>()))
             .collect();
-        for equation in &mut self.equations {
-            equation.advance(&digits, &self.p, &self.roots);
-        }
+        let (p, roots) = (&self.p, &self.roots);
+        self.equations.par_iter_mut().for_each(|equation| equation.advance(&digits, p, roots));
         self.digits.push(digits);
     }
 
     /// The solution, if the digits suffice.
-    fn solution(&self) -> Option<Vec<FieldElement>> {
+    fn solution(&self) -> Option<(Vec<FieldElement>, Integer)> {
         let mut powers = vec![self.p.clone()];
         while 1 << powers.len() < self.digits.len() {
             let last = powers.last().expect("at least p");
@@ -192,20 +197,17 @@ impl Lifting {
         }
         let modulus = (0..self.digits.len()).fold(Integer::one(), |product, _| &product * &self.p);
         let degree = self.field.degree();
-        let mut residues = Vec::with_capacity(self.equations.len() * degree);
-        for k in 0..self.equations.len() {
-            for s in 0..degree {
-                let digits: Vec<i64> = self.digits.iter().map(|digits| digits[k][s]).collect();
-                residues.push(evaluate(&digits, &powers));
-            }
-        }
+        let residues: Vec<Integer> = (0..self.equations.len() * degree)
+            .into_par_iter()
+            .map(|index| {
+                let digits: Vec<i64> =
+                    self.digits.iter().map(|digits| digits[index / degree][index % degree]).collect();
+                evaluate(&digits, &powers)
+            })
+            .collect();
         let (numerators, denominator) = reconstruct(&residues, &modulus)?;
-        let elements = numerators.chunks(degree);
-        Some(
-            elements
-                .map(|coordinates| self.field.element(coordinates.to_vec(), denominator.clone()))
-                .collect(),
-        )
+        let integral = |coordinates: &[Integer]| self.field.element(coordinates.to_vec(), Integer::one());
+        Some((numerators.chunks(degree).map(integral).collect(), denominator))
     }
 }
 
