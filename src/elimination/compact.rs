@@ -7,6 +7,8 @@ use crate::algebra::{FieldElement, Monomial, Polynomial};
 
 /// Products of terms beyond which multiplying a step into its users is not even tried.
 const PRODUCTS: usize = 2_000;
+/// Characters of a user beyond which little would be gained.
+const LENGTH: usize = 10_000;
 /// Characters of a step and of a premise besides their polynomials: `step 12`, `conclude`, `add c[1,1] times`.
 const STEP: usize = 18;
 const PREMISE: usize = 16;
@@ -43,7 +45,8 @@ fn multiplied_out(
         let Some((_, factor)) = user.combination.iter().find(|(premise, _)| *premise == source) else {
             continue;
         };
-        if own * factor.terms().len() > PRODUCTS {
+        let before = length_of_premises(user);
+        if own * factor.terms().len() > PRODUCTS || before > LENGTH {
             return None;
         }
         let mut merged: BTreeMap<Source, Polynomial> =
@@ -60,7 +63,7 @@ fn multiplied_out(
         }
         let shorter =
             DerivedStep { combination: merged.into_iter().collect(), conclusion: user.conclusion.clone() };
-        gain = (gain + length_of_premises(user)).checked_sub(length_of_premises(&shorter))?;
+        gain = (gain + before).checked_sub(length_of_premises(&shorter))?;
         replaced.push((k, shorter));
     }
     (gain > 0).then_some(replaced)

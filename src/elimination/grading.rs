@@ -138,17 +138,23 @@ impl Span {
         control: &Control<'_>,
     ) -> Result<Option<Vec<(Source, Polynomial)>>, Interrupted> {
         let support = |index: usize| self.rows[index].iter().map(|&(column, _)| column);
-        let mut order: Vec<usize> = (0..equations.len()).collect();
-        order.sort_by_key(|&k| (k != whole, !support(k).eq(support(whole)), self.rows[k].len(), k));
-        let mut echelon = Echelon::new(self.prime.clone());
-        for &index in &order {
-            echelon.insert(index as u32, &self.rows[index]);
-        }
         let Some(image) = self.prime.reduce_polynomial(part) else { return Ok(None) };
         let target: SparseRow = image.into_iter().map(|(m, value)| (self.columns[&m], value)).collect();
-        let Inserted::Dependent(dependence) = echelon.insert(u32::MAX, &target) else { return Ok(None) };
-        let mut used: Vec<usize> =
-            echelon.relation(&dependence).into_iter().map(|(id, _)| id as usize).collect();
+        let mut order: Vec<usize> = (0..equations.len()).collect();
+        order.sort_by_key(|&k| (k != whole, !support(k).eq(support(whole)), self.rows[k].len(), k));
+        let images = order.iter().take_while(|&&k| support(k).eq(support(whole))).count();
+        let relation = [images, order.len()].into_iter().find_map(|count| {
+            let mut echelon = Echelon::new(self.prime.clone());
+            for &index in &order[..count] {
+                echelon.insert(index as u32, &self.rows[index]);
+            }
+            match echelon.insert(u32::MAX, &target) {
+                Inserted::Dependent(dependence) => Some(echelon.relation(&dependence)),
+                Inserted::Pivot(_) => None,
+            }
+        });
+        let Some(relation) = relation else { return Ok(None) };
+        let mut used: Vec<usize> = relation.into_iter().map(|(id, _)| id as usize).collect();
         used.retain(|&id| id != u32::MAX as usize);
         let rows: Vec<SparseRow> = used.iter().map(|&index| self.rows[index].clone()).collect();
         let monomials: Vec<&Monomial> = self.columns.keys().collect();

@@ -16,6 +16,8 @@ use crate::algebra::{FieldElement, Integer, MultiquadraticField, PrimeField};
 const SMALL: u64 = 60;
 /// p-adic digits before the first attempt at reconstruction.
 const FIRST_ATTEMPT: usize = 6;
+/// Equations below which threads cost more than they gain.
+const SEQUENTIAL: usize = 64;
 /// p-adic digits from which attempts are worth mentioning.
 const MANY: usize = 30;
 
@@ -157,7 +159,12 @@ impl Lifting {
             }
             Some((embedding.clone(), Decomposition::new(embedding, size, matrix)?))
         };
-        let embeddings: Option<Vec<_>> = prime.embeddings().into_par_iter().map(decompose).collect();
+        let embeddings = prime.embeddings();
+        let embeddings: Option<Vec<_>> = if size < SEQUENTIAL {
+            embeddings.into_iter().map(decompose).collect()
+        } else {
+            embeddings.into_par_iter().map(decompose).collect()
+        };
         Some(Lifting {
             embeddings: embeddings?,
             p: Integer::from(prime.modulus() as i64),
@@ -170,21 +177,25 @@ impl Lifting {
 
     /// One more p-adic digit of every coordinate.
     fn step(&mut self) {
-        let images: Vec<Vec<u64>> = self
-            .embeddings
-            .par_iter()
-            .map(|(embedding, decomposition)| {
-                let right: Vec<u64> = self.equations.iter().map(|e| embedding.combine(&e.residue)).collect();
-                decomposition.solve(&right)
-            })
-            .collect();
+        let solve = |(embedding, decomposition): &(PrimeField, Decomposition)| {
+            let right: Vec<u64> = self.equations.iter().map(|e| embedding.combine(&e.residue)).collect();
+            decomposition.solve(&right)
+        };
+        let images: Vec<Vec<u64>> = if self.equations.len() < SEQUENTIAL {
+            self.embeddings.iter().map(solve).collect()
+        } else {
+            self.embeddings.par_iter().map(solve).collect()
+        };
         let (prime, _) = &self.embeddings[0];
         let unknowns = 0..self.equations.len();
         let digits: Vec<Vec<i64>> = unknowns
             .map(|k| prime.coordinates(&images.iter().map(|image| image[k]).collect::<Vec<_>>()))
             .collect();
         let (p, roots) = (&self.p, &self.roots);
-        self.equations.par_iter_mut().for_each(|equation| equation.advance(&digits, p, roots));
+        self.equations
+            .par_iter_mut()
+            .with_min_len(SEQUENTIAL)
+            .for_each(|equation| equation.advance(&digits, p, roots));
         self.digits.push(digits);
     }
 
@@ -199,6 +210,7 @@ impl Lifting {
         let degree = self.field.degree();
         let residues: Vec<Integer> = (0..self.equations.len() * degree)
             .into_par_iter()
+            .with_min_len(SEQUENTIAL)
             .map(|index| {
                 let digits: Vec<i64> =
                     self.digits.iter().map(|digits| digits[index / degree][index % degree]).collect();
