@@ -60,6 +60,11 @@ impl PrimeField {
         (a + (self.p - b) * c) % self.p
     }
 
+    /// a modulo p.
+    pub fn remainder(&self, a: u64) -> u64 {
+        a % self.p
+    }
+
     /// a − b.
     pub fn subtract(&self, a: u64, b: u64) -> u64 {
         if a >= b { a - b } else { a + self.p - b }

@@ -41,8 +41,9 @@ impl Closure {
         for generator in derivation.generators() {
             control.check()?;
             let reduced = linear.substitute(derivation, generator);
-            verified &=
-                reduced.is_none_or(|source| normal_form(derivation.polynomial(source), &basis).is_zero());
+            if let Some(source) = reduced {
+                verified &= normal_form(derivation.polynomial(source), &basis, control)?.is_zero();
+            }
         }
         let of_basis = basis.iter().filter_map(|f| f.leading_term()).map(|(monomial, _)| monomial.clone());
         let leading: Vec<Monomial> = linear.variables().map(Monomial::variable).chain(of_basis).collect();
@@ -75,7 +76,7 @@ fn is_groebner_basis(basis: &[Polynomial], control: &Control<'_>) -> Result<bool
             let lcm = a.lcm(b);
             let (to_f, to_g) = (lcm.quotient(a).expect("divides"), lcm.quotient(b).expect("divides"));
             let s_polynomial = f.shifted(&to_f).scaled(y).add_scaled(&-x, &g.shifted(&to_g));
-            if !normal_form(&s_polynomial, basis).is_zero() {
+            if !normal_form(&s_polynomial, basis, control)?.is_zero() {
                 return Ok(false);
             }
         }
@@ -84,10 +85,15 @@ fn is_groebner_basis(basis: &[Polynomial], control: &Control<'_>) -> Result<bool
 }
 
 /// The remainder of the division by several polynomials (Cox, Little, O'Shea, section 2.3).
-pub(super) fn normal_form(polynomial: &Polynomial, divisors: &[Polynomial]) -> Polynomial {
+pub(super) fn normal_form(
+    polynomial: &Polynomial,
+    divisors: &[Polynomial],
+    control: &Control<'_>,
+) -> Result<Polynomial, Interrupted> {
     let mut rest = polynomial.clone();
     let mut remainder = Polynomial::zero(polynomial.field());
     while let Some((monomial, value)) = rest.leading_term().cloned() {
+        control.check()?;
         let divisor = divisors.iter().find_map(|divisor| {
             let (leading, coefficient) = divisor.leading_term()?;
             Some((divisor, monomial.quotient(leading)?, coefficient.inverse()?))
@@ -103,7 +109,7 @@ pub(super) fn normal_form(polynomial: &Polynomial, divisors: &[Polynomial]) -> P
             }
         }
     }
-    remainder
+    Ok(remainder)
 }
 
 /// The size of the largest set of variables that no leading monomial lies in (Cox, Little, O'Shea, section 9.3).

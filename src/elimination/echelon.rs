@@ -16,23 +16,24 @@ pub(super) struct Echelon {
     /// By leading column, which row of `rows` leads there.
     pivots: BTreeMap<u32, usize>,
     rows: Vec<Row>,
-    /// The row being reduced; all zero between calls.
+    /// The row being reduced, each entry up to a multiple of p and below p²; all zero between calls.
     dense: Vec<u64>,
 }
 
-/// A monic row: scale · (inserted row − Σ factor · earlier row).
+/// A monic row: scale · (inserted row − Σ factor · earlier row). Half-words: these rows are what fills the memory.
 struct Row {
-    entries: SparseRow,
+    /// (column, non-zero entry), by decreasing column.
+    entries: Vec<(u32, u32)>,
     inserted: u32,
     scale: u64,
     /// (position of the earlier row, factor).
-    subtracted: Vec<(usize, u64)>,
+    subtracted: Vec<(u32, u32)>,
 }
 
 /// Inserted row = Σ factor · earlier row. What that means for inserted rows is worked out on demand.
 pub(super) struct Dependence {
     inserted: u32,
-    subtracted: Vec<(usize, u64)>,
+    subtracted: Vec<(u32, u32)>,
 }
 
 /// What became of an inserted row.
@@ -63,15 +64,14 @@ impl Echelon {
                 self.dense.resize(width, 0);
             }
             for &(column, value) in &self.rows[position].entries {
-                self.dense[column as usize] = value;
+                self.dense[column as usize] = u64::from(value);
             }
             for column in (0..leading).rev() {
-                let value = self.dense[column as usize];
+                let value = self.field.remainder(self.dense[column as usize]);
+                self.dense[column as usize] = value;
                 let Some(&other) = self.pivots.get(&column).filter(|_| value != 0) else { continue };
-                for &(at, entry) in &self.rows[other].entries {
-                    let cell = &mut self.dense[at as usize];
-                    *cell = self.field.subtract_product(*cell, value, entry);
-                }
+                subtract_multiple(&mut self.dense, value, &self.rows[other].entries, &self.field);
+                self.dense[column as usize] = 0;
             }
             let cells = self.dense[..width].iter_mut().zip(0..width as u32).rev();
             cells.map(|(cell, at)| (at, std::mem::take(cell))).filter(|&(_, value)| value != 0).collect()
@@ -95,20 +95,17 @@ impl Echelon {
             self.dense[column as usize] = value;
         }
         let mut subtracted = Vec::new();
-        // Invariant: dense = row − Σ factor · earlier row, and it is zero beyond `column`.
+        // Invariant: dense ≡ row − Σ factor · earlier row, and it is zero beyond `column`.
         for column in (0..width).rev() {
-            let value = self.dense[column];
+            let value = self.field.remainder(std::mem::take(&mut self.dense[column]));
             if value == 0 {
                 continue;
             }
             let Some(&position) = self.pivots.get(&(column as u32)) else {
-                return self.store(column as u32, id, subtracted);
+                return self.store(column as u32, value, id, subtracted);
             };
-            for &(at, entry) in &self.rows[position].entries {
-                let cell = &mut self.dense[at as usize];
-                *cell = self.field.subtract_product(*cell, value, entry);
-            }
-            subtracted.push((position, value));
+            subtract_multiple(&mut self.dense, value, &self.rows[position].entries[1..], &self.field);
+            subtracted.push((position as u32, value as u32));
         }
         Inserted::Dependent(Dependence { inserted: id, subtracted })
     }
@@ -118,26 +115,35 @@ impl Echelon {
         self.unfold(dependence.inserted, 1, &dependence.subtracted)
     }
 
-    fn store(&mut self, column: u32, inserted: u32, subtracted: Vec<(usize, u64)>) -> Inserted {
-        let scale = self.field.inverse(self.dense[column as usize]);
-        let mut entries = SparseRow::new();
-        for at in (0..=column).rev() {
-            let value = std::mem::take(&mut self.dense[at as usize]);
+    fn store(
+        &mut self,
+        column: u32,
+        leading: u64,
+        inserted: u32,
+        mut subtracted: Vec<(u32, u32)>,
+    ) -> Inserted {
+        let scale = self.field.inverse(leading);
+        let mut entries = vec![(column, 1)];
+        for at in (0..column).rev() {
+            let value = self.field.remainder(std::mem::take(&mut self.dense[at as usize]));
             if value != 0 {
-                entries.push((at, self.field.multiply(value, scale)));
+                entries.push((at, self.field.multiply(value, scale) as u32));
             }
         }
+        entries.shrink_to_fit();
+        subtracted.shrink_to_fit();
         self.pivots.insert(column, self.rows.len());
         self.rows.push(Row { entries, inserted, scale, subtracted });
         Inserted::Pivot(column)
     }
 
     /// scale · (inserted row − Σ factor · earlier row), all the way back to inserted rows.
-    fn unfold(&self, inserted: u32, scale: u64, subtracted: &[(usize, u64)]) -> Combination {
+    fn unfold(&self, inserted: u32, scale: u64, subtracted: &[(u32, u32)]) -> Combination {
         let mut combination = BTreeMap::from([(inserted, scale)]);
         let mut pending = vec![0u64; self.rows.len()];
         for &(position, factor) in subtracted {
-            pending[position] = self.field.subtract_product(pending[position], scale, factor);
+            let cell = &mut pending[position as usize];
+            *cell = self.field.subtract_product(*cell, scale, u64::from(factor));
         }
         // A row is made of earlier ones only.
         for position in (0..self.rows.len()).rev() {
@@ -149,9 +155,21 @@ impl Echelon {
             let factor = self.field.multiply(outer, row.scale);
             combination.insert(row.inserted, factor);
             for &(earlier, inner) in &row.subtracted {
-                pending[earlier] = self.field.subtract_product(pending[earlier], factor, inner);
+                let cell = &mut pending[earlier as usize];
+                *cell = self.field.subtract_product(*cell, factor, u64::from(inner));
             }
         }
         combination.into_iter().filter(|&(_, factor)| factor != 0).collect()
+    }
+}
+
+/// dense − factor · row. There is no division: a sum that reaches p² loses p², and stays in a word.
+fn subtract_multiple(dense: &mut [u64], factor: u64, row: &[(u32, u32)], field: &PrimeField) {
+    let p = field.modulus();
+    let (negative, square) = (p - factor, p * p);
+    for &(at, entry) in row {
+        let cell = &mut dense[at as usize];
+        let sum = *cell + negative * u64::from(entry);
+        *cell = if sum >= square { sum - square } else { sum };
     }
 }

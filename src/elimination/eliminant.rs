@@ -19,7 +19,7 @@ pub(super) fn eliminant(
     let plain = Polynomial::variable(field, variable);
     // variable = −(the other terms of its equation).
     let image = solved.map_or(plain.clone(), |equation| plain.add_scaled(&field.integer(-1), equation));
-    let image = normal_form(&image, basis);
+    let image = normal_form(&image, basis, control)?;
 
     let mut power = Polynomial::constant(field.one());
     // Reduced powers in echelon form, each with the combination of powers that it is.
@@ -45,6 +45,6 @@ pub(super) fn eliminant(
         rows.push((rest.scaled(&inverse), combination.iter().map(|value| value * &inverse).collect()));
         // Rows that lead higher first, so that one pass reduces.
         rows.sort_by(|(a, _), (b, _)| b.leading_term().map(|t| &t.0).cmp(&a.leading_term().map(|t| &t.0)));
-        power = normal_form(&power.multiply(&image), basis);
+        power = normal_form(&power.multiply(&image), basis, control)?;
     }
 }

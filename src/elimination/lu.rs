@@ -2,13 +2,13 @@
 
 use crate::algebra::PrimeField;
 
-/// P·A = L·U for a regular square matrix A.
+/// A·Q = L·U for a regular square matrix A.
 pub(super) struct Decomposition {
     field: PrimeField,
     size: usize,
-    /// Row by row: U on and above the diagonal, L without its unit diagonal below.
+    /// Row by row: U on and above the diagonal, L·(diagonal of U) below.
     entries: Vec<u32>,
-    /// Row `k` of P·A is row `order[k]` of A.
+    /// Column `k` of A·Q is column `order[k]` of A.
     order: Vec<usize>,
     /// The inverses of U's diagonal.
     inverses: Vec<u64>,
@@ -16,25 +16,43 @@ pub(super) struct Decomposition {
 
 impl Decomposition {
     /// Decomposes the matrix with these rows; `None` if it is singular.
+    ///
+    /// Row by row, so that each row is summed up in words and reduced once.
     pub(super) fn new(field: PrimeField, size: usize, mut entries: Vec<u32>) -> Option<Self> {
+        let p = field.modulus();
+        let square = p * p;
         let mut order: Vec<usize> = (0..size).collect();
-        let mut inverses = Vec::with_capacity(size);
-        for column in 0..size {
-            let pivot = (column..size).find(|row| entries[row * size + column] != 0)?;
-            order.swap(column, pivot);
-            for k in 0..size {
-                entries.swap(column * size + k, pivot * size + k);
+        let mut inverses: Vec<u64> = Vec::with_capacity(size);
+        let mut sums = vec![0u64; size];
+        for row in 0..size {
+            let (above, below) = entries.split_at_mut(row * size);
+            for (sum, &column) in sums.iter_mut().zip(&order) {
+                *sum = u64::from(below[column]);
             }
-            let inverse = field.inverse(u64::from(entries[column * size + column]));
-            inverses.push(inverse);
-            let (above, below) = entries.split_at_mut((column + 1) * size);
-            let pivot_row = &above[column * size + column + 1..];
-            for row in below.chunks_exact_mut(size).filter(|row| row[column] != 0) {
-                let factor = field.multiply(u64::from(row[column]), inverse);
-                row[column] = factor as u32;
-                for (entry, &of_pivot) in row[column + 1..].iter_mut().zip(pivot_row) {
-                    *entry = field.subtract_product(u64::from(*entry), factor, u64::from(of_pivot)) as u32;
+            for (k, &inverse) in inverses.iter().enumerate() {
+                let value = field.remainder(sums[k]);
+                sums[k] = value;
+                if value == 0 {
+                    continue;
                 }
+                let negative = p - field.multiply(value, inverse);
+                for (sum, &entry) in sums[k + 1..].iter_mut().zip(&above[k * size + k + 1..(k + 1) * size]) {
+                    let more = *sum + negative * u64::from(entry);
+                    *sum = if more >= square { more - square } else { more };
+                }
+            }
+            for sum in &mut sums[row..] {
+                *sum = field.remainder(*sum);
+            }
+            let pivot = (row..size).find(|&column| sums[column] != 0)?;
+            sums.swap(row, pivot);
+            order.swap(row, pivot);
+            for earlier in above.chunks_exact_mut(size) {
+                earlier.swap(row, pivot);
+            }
+            inverses.push(field.inverse(sums[row]));
+            for (entry, &sum) in below.iter_mut().zip(&sums) {
+                *entry = sum as u32;
             }
         }
         Some(Decomposition { field, size, entries, order, inverses })
@@ -42,14 +60,20 @@ impl Decomposition {
 
     /// x with A·x = right.
     pub(super) fn solve(&self, right: &[u64]) -> Vec<u64> {
-        let mut x: Vec<u64> = self.order.iter().map(|&row| right[row]).collect();
+        // Below the diagonal each column still has the factor of its pivot; dividing y by it makes up for that.
+        let mut scaled = vec![0u64; self.size];
+        let mut y = vec![0u64; self.size];
         for row in 0..self.size {
-            let known = self.dot(&self.entries[row * self.size..][..row], &x[..row]);
-            x[row] = self.field.subtract(x[row], known);
+            let known = self.dot(&self.entries[row * self.size..][..row], &scaled[..row]);
+            y[row] = self.field.subtract(right[row], known);
+            scaled[row] = self.field.multiply(y[row], self.inverses[row]);
         }
+        let mut x = vec![0u64; self.size];
         for row in (0..self.size).rev() {
-            let known = self.dot(&self.entries[row * self.size..][row + 1..self.size], &x[row + 1..]);
-            x[row] = self.field.multiply(self.field.subtract(x[row], known), self.inverses[row]);
+            let known = self.dot(&self.entries[row * self.size..][row + 1..self.size], &y[row + 1..]);
+            // From here on y holds the solution in the order of the columns of A·Q.
+            y[row] = self.field.multiply(self.field.subtract(y[row], known), self.inverses[row]);
+            x[self.order[row]] = y[row];
         }
         x
     }

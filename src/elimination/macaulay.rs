@@ -15,7 +15,7 @@ use super::strategy::{PLAIN, Strategy};
 use crate::algebra::{Monomial, PrimeField, splitting_primes};
 
 /// Columns of a matrix that this engine is willing to reduce.
-const COLUMNS: usize = 200_000;
+const COLUMNS: usize = 100_000;
 /// Rows likewise.
 const ROWS: usize = 1_000_000;
 /// How many primes may mislead before the search is given up.
