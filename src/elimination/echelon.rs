@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use crate::algebra::PrimeField;
 
 /// (column, non-zero entry), by decreasing column.
-pub(super) type SparseRow = Vec<(u32, u64)>;
+pub type SparseRow = Vec<(u32, u64)>;
 
 /// (inserted row, non-zero factor), by increasing row.
-pub(super) type Combination = Vec<(u32, u64)>;
+pub type Combination = Vec<(u32, u64)>;
 
 /// Rows with distinct leading columns, each a combination of inserted rows.
-pub(super) struct Echelon {
+pub struct Echelon {
     field: PrimeField,
     /// By leading column, which row of `rows` leads there.
     pivots: BTreeMap<u32, usize>,
@@ -31,13 +31,13 @@ struct Row {
 }
 
 /// Inserted row = Σ factor · earlier row. What that means for inserted rows is worked out on demand.
-pub(super) struct Dependence {
+pub struct Dependence {
     inserted: u32,
     subtracted: Vec<(u32, u32)>,
 }
 
 /// What became of an inserted row.
-pub(super) enum Inserted {
+pub enum Inserted {
     /// It leads in this column, which was free.
     Pivot(u32),
     /// It depends on rows inserted before.
@@ -45,17 +45,18 @@ pub(super) enum Inserted {
 }
 
 impl Echelon {
-    pub(super) fn new(field: PrimeField) -> Self {
+    /// No rows.
+    pub fn new(field: PrimeField) -> Self {
         Echelon { field, pivots: BTreeMap::new(), rows: Vec::new(), dense: Vec::new() }
     }
 
     /// The leading columns, increasing.
-    pub(super) fn pivots(&self) -> impl Iterator<Item = u32> + '_ {
+    pub fn pivots(&self) -> impl Iterator<Item = u32> + '_ {
         self.pivots.keys().copied()
     }
 
     /// The rows of the reduced echelon form: in no other row is there an entry where one leads.
-    pub(super) fn reduced_rows(&mut self) -> Vec<SparseRow> {
+    pub fn reduced_rows(&mut self) -> Vec<SparseRow> {
         let positions: Vec<usize> = self.pivots.values().copied().collect();
         let reduce = |position: usize| {
             let Some(&(leading, _)) = self.rows[position].entries.first() else { return SparseRow::new() };
@@ -80,13 +81,13 @@ impl Echelon {
     }
 
     /// The inserted rows that the row leading in `column` is made of.
-    pub(super) fn combination(&self, column: u32) -> Combination {
+    pub fn combination(&self, column: u32) -> Combination {
         let row = &self.rows[self.pivots[&column]];
         self.unfold(row.inserted, row.scale, &row.subtracted)
     }
 
     /// Reduces a row by those inserted before, from the left, until it leads in a free column.
-    pub(super) fn insert(&mut self, id: u32, row: &[(u32, u64)]) -> Inserted {
+    pub fn insert(&mut self, id: u32, row: &[(u32, u64)]) -> Inserted {
         let width = row.first().map_or(0, |&(column, _)| column as usize + 1);
         if self.dense.len() < width {
             self.dense.resize(width, 0);
@@ -111,7 +112,7 @@ impl Echelon {
     }
 
     /// The combination of inserted rows, the dependent one with factor 1, that is zero.
-    pub(super) fn relation(&self, dependence: &Dependence) -> Combination {
+    pub fn relation(&self, dependence: &Dependence) -> Combination {
         self.unfold(dependence.inserted, 1, &dependence.subtracted)
     }
 

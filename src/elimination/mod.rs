@@ -31,7 +31,9 @@ mod system;
 pub use closure::Closure;
 pub use control::{Control, Interrupted, Progress};
 pub use derivation::{Derivation, NamedStep, Source};
+pub use echelon::{Combination, Dependence, Echelon, Inserted, SparseRow};
 pub use points::points_in_field;
+pub use solve::solve;
 pub use system::System;
 
 use crate::algebra::FieldElement;

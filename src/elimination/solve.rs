@@ -25,7 +25,7 @@ const MANY: usize = 30;
 ///
 /// `rows` are the images modulo p, independent there; `entry(k, column)` and `right(column)` are the exact entries, `None`
 /// where they are zero. `None` if p was unlucky. Whether other columns agree is for the caller to verify.
-pub(super) fn solve(
+pub fn solve(
     rows: &[SparseRow],
     entry: impl Fn(usize, u32) -> Option<FieldElement>,
     right: impl Fn(u32) -> Option<FieldElement>,
