@@ -32,7 +32,7 @@ pub(super) fn refutation(
     };
     if cap && let Subject::Patch(patch) = statement.subject() {
         heading(&mut text, "The setting");
-        text += &setting::cube_face(patch, !statement.nonzero().is_empty())?;
+        text += &setting::cube_face(statement, patch)?;
         text.push('\n');
     }
     if let Some(list) = coefficients(statement, Basis::Bernstein)? {

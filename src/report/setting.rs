@@ -5,12 +5,12 @@ use std::fmt::Write as _;
 use super::mathematics::Notation;
 use crate::algebra::{FieldElement, Polynomial, polynomial_to_exact};
 use crate::catalogue::Cap;
-use crate::exact::{Limit, Radicands, Ring};
+use crate::exact::{self, Limit, Radicands, Ring};
 use crate::geometry::{CubeFace, dot};
-use crate::statement::Patch;
+use crate::statement::{Patch, Statement};
 
 /// The lines that lead from the cube to the control points of an edge. Every value printed is computed here.
-pub(super) fn cube_face(patch: &Patch, free_weights: bool) -> Result<String, Limit> {
+pub(super) fn cube_face(statement: &Statement, patch: &Patch) -> Result<String, Limit> {
     let field = Cap::field();
     let face = CubeFace::derive(field).expect("the cube's side lies in Q(√2,√3)");
     let arc = face.edge_along_v(0).expect("the weight lies in Q(√2,√3)");
@@ -53,12 +53,33 @@ pub(super) fn cube_face(patch: &Patch, free_weights: bool) -> Result<String, Lim
             "   The edges are raised in degree to {m} along u and {n} along v; the arcs stay the same."
         );
     }
-    if free_weights {
+    if !statement.nonzero().is_empty() {
+        let [.., corner] = &patch.net[m as usize][n as usize];
+        let one = exact::Polynomial::integer(1);
+        // With the half-turn the corner (1,1) is the image of (0,0), and has its weight.
+        let which = if *corner == one {
+            "Scaling and reparametrising the patch makes two opposite corner weights 1; the others are d², and an"
+        } else {
+            "Scaling and reparametrising the patch makes three corner weights 1; the fourth is d², and an"
+        };
+        let _ = writeln!(text, "   {which}");
+        let _ = writeln!(text, "   edge between weights p and q has the middle weight cos(α/2)·√(pq).");
+    }
+    let mut odd = statement.unknowns().iter().filter(|name| name.ends_with(['u', 'v']));
+    let half_turn = odd.clone().all(|name| name.ends_with("uv"));
+    if let Some(name) = odd.next() {
+        let whole = name.trim_end_matches(['u', 'v']);
+        let signs = if half_turn {
+            format!("{whole}uv changes sign under both. Every interior with the half-turn is such a sum.")
+        } else {
+            format!(
+                "{whole}u changes sign under the first, {whole}v under the second, {whole}uv under both. Every interior\n   is such a sum."
+            )
+        };
         let _ = writeln!(
             text,
-            "   Scaling and reparametrising the patch makes three corner weights 1; the fourth is d², and an"
+            "   The inner points are sums of their parts under the reflections u → 1−u and v → 1−v of the cap:\n   {signs}"
         );
-        let _ = writeln!(text, "   edge between weights p and q has the middle weight cos(α/2)·√(pq).");
     }
     Ok(text)
 }
