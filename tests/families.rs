@@ -43,10 +43,11 @@ fn rank(mut rows: Vec<Vec<i64>>) -> usize {
         let Some(pivot) = (rank..rows.len()).find(|&row| rows[row][column] % P != 0) else { continue };
         rows.swap(rank, pivot);
         let inverse = power(rows[rank][column].rem_euclid(P), P - 2);
-        for row in rank + 1..rows.len() {
-            let factor = rows[row][column] * inverse % P;
-            for k in 0..width {
-                rows[row][k] = (rows[row][k] - factor * rows[rank][k]) % P;
+        let pivot_row = rows[rank].clone();
+        for row in &mut rows[rank + 1..] {
+            let factor = row[column] * inverse % P;
+            for (value, of_pivot) in row.iter_mut().zip(&pivot_row) {
+                *value = (*value - factor * of_pivot) % P;
             }
         }
         rank += 1;

@@ -50,7 +50,7 @@ impl System {
                 assert!(closure.verified, "a basis that is reported was verified over K");
                 Answer::Consistent(closure.dimension, closure.zeros)
             }
-            other => panic!("{other:?}"),
+            undecided @ Attempt::Undecided(_) => panic!("{undecided:?}"),
         }
     }
 }
