@@ -41,8 +41,15 @@ check: lint test replay examples
 bench:
     cargo bench
 
-# Whole processes side by side with Singular and SymPy, where they are installed.
-bench-peers:
+# Whole processes side by side with Singular, SymPy and grobx, where they can be had; half an hour.
+bench-peers: peers
     cargo build --release
     cargo build --release --features gmp --target-dir target/gmp
     benches/peers/run num=target/release/prove-cap gmp=target/gmp/release/prove-cap
+    benches/peers/systems.py target/release/prove-cap
+
+# Installs the peers; what cannot be installed is `not run` later. grobx needs CPython 3.12.
+peers:
+    -command -v Singular hyperfine || apt-get install -y -qq singular-ui hyperfine
+    -python3 -c "import sympy" || python3 -m pip install -q sympy
+    -${PYTHON312:-python3.12} -m pip install -q grobx
