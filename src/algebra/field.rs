@@ -39,6 +39,13 @@ impl MultiquadraticField {
         chosen.fold(Integer::one(), |product, (_, &d)| &product * &Integer::from(d))
     }
 
+    /// a·√ΠS·√ΠS, `common` being S.
+    fn times_squared_root(&self, a: &Integer, common: usize) -> Integer {
+        let chosen = self.radicands().iter().enumerate().filter(|(bit, _)| common >> bit & 1 == 1);
+        let short = chosen.map(|(_, &d)| u64::from(d)).try_fold(1u64, u64::checked_mul);
+        short.map_or_else(|| a * &self.under_root(common), |product| a.times(product))
+    }
+
     /// 0.
     pub fn zero(&self) -> FieldElement {
         self.rational(Integer::zero(), Integer::one())
@@ -195,7 +202,8 @@ impl Mul for &FieldElement {
         for (s, a) in self.numerators.iter().enumerate().filter(|(_, a)| !a.is_zero()) {
             for (t, b) in other.numerators.iter().enumerate().filter(|(_, b)| !b.is_zero()) {
                 let product = a * b;
-                let product = if s & t == 0 { product } else { &product * &self.field.under_root(s & t) };
+                let product =
+                    if s & t == 0 { product } else { self.field.times_squared_root(&product, s & t) };
                 numerators[s ^ t] += &product;
             }
         }

@@ -125,6 +125,23 @@ impl Integer {
         if self.is_negative() { -self } else { self.clone() }
     }
 
+    /// The greatest common divisor, never negative.
+    pub fn gcd(&self, other: &Self) -> Self {
+        // Most numbers are short, and most of the time would go into allocating them.
+        match (self.to_i64(), other.to_i64()) {
+            (Some(a), Some(b)) => {
+                let divisor = num_integer::Integer::gcd(&i128::from(a), &i128::from(b));
+                Integer::from(divisor)
+            }
+            _ => self.gcd_of_long(other),
+        }
+    }
+
+    /// self · factor.
+    pub fn times(&self, factor: u64) -> Self {
+        Integer(Backend::from(&self.0 * factor))
+    }
+
     /// The least common multiple.
     pub fn lcm(&self, other: &Self) -> Self {
         if self == other || other.is_one() {
@@ -139,8 +156,7 @@ impl Integer {
 
 #[cfg(not(feature = "gmp"))]
 impl Integer {
-    /// The greatest common divisor, never negative.
-    pub fn gcd(&self, other: &Self) -> Self {
+    fn gcd_of_long(&self, other: &Self) -> Self {
         Integer(num_integer::Integer::gcd(&self.0, &other.0))
     }
 
@@ -184,8 +200,7 @@ impl Integer {
 
 #[cfg(feature = "gmp")]
 impl Integer {
-    /// The greatest common divisor, never negative.
-    pub fn gcd(&self, other: &Self) -> Self {
+    fn gcd_of_long(&self, other: &Self) -> Self {
         Integer(Backend::from(self.0.gcd_ref(&other.0)))
     }
 

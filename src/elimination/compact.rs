@@ -79,11 +79,12 @@ fn length_of_premises(step: &DerivedStep) -> usize {
 
 /// About as many characters as the certificate needs.
 pub(super) fn length_of_polynomial(polynomial: &Polynomial) -> usize {
-    let of_term = |(monomial, value): &(Monomial, FieldElement)| {
-        let powers: usize = monomial.powers().iter().map(|&(_, e)| if e > 1 { 6 } else { 4 }).sum();
-        length_of_element(value, powers)
-    };
-    polynomial.terms().iter().map(of_term).sum()
+    polynomial.terms().iter().map(|(monomial, value)| length_of_term(monomial, value)).sum()
+}
+
+pub(super) fn length_of_term(monomial: &Monomial, value: &FieldElement) -> usize {
+    let powers: usize = monomial.powers().iter().map(|&(_, e)| if e > 1 { 6 } else { 4 }).sum();
+    length_of_element(value, powers)
 }
 
 fn length_of_element(value: &FieldElement, powers: usize) -> usize {

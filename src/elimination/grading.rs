@@ -16,6 +16,8 @@ use super::echelon::{Echelon, Inserted, SparseRow};
 use super::solve::solve;
 use crate::algebra::{FieldElement, Integer, Monomial, Polynomial, PrimeField, splitting_primes};
 
+/// Numerators and denominators up to this are small.
+const SMALL: i64 = 16;
 /// The classes are kept in the bits of a word.
 const SYMMETRIES: usize = 64;
 
@@ -38,6 +40,7 @@ pub(super) fn homogeneous_parts(
     let span = images.expect("some prime divides no denominator");
     let grading = span.grading();
     let mut parts = Vec::new();
+    let mut seen = BTreeSet::new();
     for (index, &source) in equations.iter().enumerate() {
         control.check()?;
         let classes = grading.parts(derivation.polynomial(source));
@@ -46,6 +49,10 @@ pub(super) fn homogeneous_parts(
             continue;
         }
         for part in classes.into_values() {
+            // Mirror images have the same parts, up to a factor.
+            if !seen.insert(span.monic_image(&part)) {
+                continue;
+            }
             match span.express(index, &part, equations, derivation, control)? {
                 Some(combination) => parts.extend(derivation.derive(combination)),
                 // The prime was unlucky; without the parts the search is slower, not wrong.
@@ -154,28 +161,69 @@ impl Span {
             }
         });
         let Some(relation) = relation else { return Ok(None) };
-        let mut used: Vec<usize> = relation.into_iter().map(|(id, _)| id as usize).collect();
-        used.retain(|&id| id != u32::MAX as usize);
-        let rows: Vec<SparseRow> = used.iter().map(|&index| self.rows[index].clone()).collect();
-        let monomials: Vec<&Monomial> = self.columns.keys().collect();
-        let entry = |k: usize, column: u32| {
-            derivation.polynomial(equations[used[k]]).coefficient(monomials[column as usize]).cloned()
+        let relation: Vec<(usize, u64)> = relation
+            .into_iter()
+            .filter(|&(id, _)| id != u32::MAX)
+            .map(|(id, factor)| (id as usize, self.prime.subtract(0, factor)))
+            .collect();
+        let small: Option<Vec<FieldElement>> =
+            relation.iter().map(|&(_, factor)| self.small_fraction(factor, part)).collect();
+        let factors = match small {
+            Some(factors) => factors,
+            None => match self.solve(&relation, part, equations, derivation, control)? {
+                Some(factors) => factors,
+                None => return Ok(None),
+            },
         };
-        let right = |column: u32| part.coefficient(monomials[column as usize]).cloned();
-        let Some((factors, denominator)) =
-            solve(&rows, entry, right, &self.prime, derivation.system().field(), control)?
-        else {
-            return Ok(None);
-        };
-        let inverse = part.field().rational(Integer::one(), denominator);
-        let combination: Vec<_> = used
+        let combination: Vec<_> = relation
             .iter()
             .zip(factors)
-            .map(|(&index, factor)| (equations[index], Polynomial::constant(&factor * &inverse)))
+            .map(|(&(index, _), factor)| (equations[index], Polynomial::constant(factor)))
             .collect();
         let products =
             combination.iter().flat_map(|(f, by)| by.multiply(derivation.polynomial(*f)).terms().to_vec());
         Ok((Polynomial::from_terms(part.field(), products) == *part).then_some(combination))
+    }
+
+    /// The image of a polynomial with leading coefficient 1; empty where p divides a denominator.
+    fn monic_image(&self, polynomial: &Polynomial) -> SparseRow {
+        let Some(image) = self.prime.reduce_polynomial(polynomial) else { return SparseRow::new() };
+        let scale = image.first().map_or(1, |&(_, leading)| self.prime.inverse(leading));
+        image.into_iter().map(|(m, value)| (self.columns[&m], self.prime.multiply(value, scale))).collect()
+    }
+
+    /// The fraction with small numerator and denominator that has this image: what one gets for mirror images.
+    fn small_fraction(&self, image: u64, part: &Polynomial) -> Option<FieldElement> {
+        let p = self.prime.modulus();
+        (1..=SMALL as u64).find_map(|denominator| {
+            let residue = self.prime.multiply(image, denominator);
+            let numerator = if residue > p / 2 { residue as i64 - p as i64 } else { residue as i64 };
+            let fraction =
+                || part.field().rational(Integer::from(numerator), Integer::from(denominator as i64));
+            (numerator.abs() <= SMALL).then(fraction)
+        })
+    }
+
+    /// The factors by exact solution, where they are not small fractions.
+    fn solve(
+        &self,
+        relation: &[(usize, u64)],
+        part: &Polynomial,
+        equations: &[Source],
+        derivation: &Derivation<'_>,
+        control: &Control<'_>,
+    ) -> Result<Option<Vec<FieldElement>>, Interrupted> {
+        let rows: Vec<SparseRow> = relation.iter().map(|&(index, _)| self.rows[index].clone()).collect();
+        let monomials: Vec<&Monomial> = self.columns.keys().collect();
+        let entry = |k: usize, column: u32| {
+            derivation.polynomial(equations[relation[k].0]).coefficient(monomials[column as usize]).cloned()
+        };
+        let right = |column: u32| part.coefficient(monomials[column as usize]).cloned();
+        let solution = solve(&rows, entry, right, &self.prime, part.field(), control)?;
+        Ok(solution.map(|(factors, denominator)| {
+            let inverse = part.field().rational(Integer::one(), denominator);
+            factors.iter().map(|factor| factor * &inverse).collect()
+        }))
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Associated numbers have very different lengths: 54√2 − 36√3 and 1, say, where only a unit and √6 are between them.
 
-use super::compact::length_of_polynomial;
+use super::compact::{length_of_polynomial, length_of_term};
 use super::derivation::{DerivedStep, Source};
 use crate::algebra::{FieldElement, Integer, MultiquadraticField, Polynomial};
 
@@ -39,7 +39,8 @@ pub(super) fn rescale(steps: &mut [Option<DerivedStep>]) {
 /// The factor that shortens step `k` and its users most, if any does.
 fn better(k: usize, steps: &[Option<DerivedStep>], factors: &[Unit]) -> Option<Unit> {
     let step = steps[k].as_ref()?;
-    let own: Vec<&Polynomial> = step.combination.iter().map(|(_, by)| by).chain([&step.conclusion]).collect();
+    let own: Vec<&Polynomial> =
+        std::iter::once(&step.conclusion).chain(step.combination.iter().map(|(_, by)| by)).collect();
     let premises = steps.iter().flatten().flat_map(|user| &user.combination);
     let used: Vec<&Polynomial> =
         premises.filter(|(premise, _)| *premise == Source::Derived(k)).map(|(_, by)| by).collect();
@@ -47,13 +48,24 @@ fn better(k: usize, steps: &[Option<DerivedStep>], factors: &[Unit]) -> Option<U
     if now > LENGTH {
         return None;
     }
-    let length = |(factor, inverse): &Unit| -> usize {
-        let own = own.iter().map(|by| length_of_polynomial(&by.scaled(factor)));
-        own.chain(used.iter().map(|by| length_of_polynomial(&by.scaled(inverse)))).sum()
-    };
-    let (best, shortest) =
-        factors.iter().map(|unit| (unit, length(unit))).min_by_key(|&(_, length)| length)?;
-    (shortest < now).then(|| best.clone())
+    let (mut best, mut shortest) = (None, now);
+    for unit in factors {
+        let (factor, inverse) = unit;
+        let scaled = own.iter().map(|by| (by, factor)).chain(used.iter().map(|by| (by, inverse)));
+        // Most factors are found to be worse after a few terms.
+        let terms = scaled.flat_map(|(by, factor)| by.terms().iter().map(move |term| (term, factor)));
+        let mut length = 0;
+        for ((monomial, value), factor) in terms {
+            length += length_of_term(monomial, &(value * factor));
+            if length >= shortest {
+                break;
+            }
+        }
+        if length < shortest {
+            (best, shortest) = (Some(unit), length);
+        }
+    }
+    best.cloned()
 }
 
 /// Small elements of K and their inverses.
