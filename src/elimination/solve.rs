@@ -47,8 +47,9 @@ pub fn solve(
         .map(|&column| Equation::new(rows.len(), |k| entry(k, column), right(column), field))
         .collect();
     let Some(mut lifting) = Lifting::new(equations, prime, field) else { return Ok(None) };
+    let most = lifting.enough_digits();
     let mut attempt = FIRST_ATTEMPT;
-    loop {
+    while lifting.digits.len() <= most {
         control.check()?;
         lifting.step();
         if lifting.digits.len() == attempt {
@@ -61,6 +62,7 @@ pub fn solve(
             attempt += attempt / 3;
         }
     }
+    Ok(None)
 }
 
 /// One equation with integral entries: Σ entry · x = what is left of the right side.
@@ -173,6 +175,18 @@ impl Lifting {
             equations,
             digits: Vec::new(),
         })
+    }
+
+    /// Digits that suffice for certain, with room for the last attempt: Hadamard's bound for the equations over Q.
+    fn enough_digits(&self) -> usize {
+        let entries = self.equations.iter().flat_map(|e| e.entries.iter().flat_map(|(_, value)| value));
+        let longest = entries.chain(self.equations.iter().flat_map(|e| &e.residue)).map(Integer::bits).max();
+        let roots = self.roots.last().map_or(0, Integer::bits);
+        let size = (self.equations.len() * self.roots.len()) as u64;
+        let determinant = size * (longest.unwrap_or(0) + roots + u64::from(size.max(1).ilog2()) + 1);
+        // Numerator and denominator, at 30 bits a digit, then the next attempt.
+        let digits = usize::try_from(2 * determinant / 30 + 4).unwrap_or(usize::MAX / 2);
+        FIRST_ATTEMPT + digits + digits / 3
     }
 
     /// One more p-adic digit of every coordinate.
