@@ -50,6 +50,16 @@ pub enum CertificateFault {
     NotConstant,
     /// A polynomial not in its canonical spelling.
     Spelling(SpellingError),
+    /// Not a rational number.
+    NotRational,
+    /// A point that is not in the unit square.
+    OutsideSquare,
+    /// Not a decimal, or not with that many places.
+    Decimal { places: u32, found: String },
+    /// Not a binary tree in preorder.
+    Tree,
+    /// The last line of an argument by subdivision does not fit the text before it.
+    Seal { expected: String, found: String },
     /// A limit of the format.
     Limit(Limit),
     /// Not the bytes that the writer would write.
@@ -87,6 +97,16 @@ impl fmt::Display for CertificateFault {
             Fault::ZeroMultiplier => write!(f, "a multiplier 0, expected the premise to be left out"),
             Fault::NotConstant => write!(f, "expected a constant of the field"),
             Fault::Spelling(error) => error.fmt(f),
+            Fault::NotRational => write!(f, "expected a rational number"),
+            Fault::OutsideSquare => write!(f, "a point outside the unit square"),
+            Fault::Decimal { places, found } => {
+                write!(f, "expected a decimal with {places} places, found `{found}`")
+            }
+            Fault::Tree => write!(
+                f,
+                "expected a binary tree in preorder: `h` for a box that is halved, `.` for one that is not"
+            ),
+            Fault::Seal { expected, found } => write!(f, "expected `{expected}`, found `{found}`"),
             Fault::Limit(limit) => limit.fmt(f),
             Fault::NotCanonical => write!(f, "not the canonical spelling of this certificate"),
         }

@@ -1,4 +1,4 @@
-//! How a claim is argued: a straight line of linear combinations, or the values of the unknowns.
+//! How a claim is argued: a straight line of linear combinations, the values of the unknowns, or subdivisions.
 //!
 //! A certificate never carries its axioms: its premises are *names* of polynomials that the checker derives
 //! from the statement. Text form, grammar and limits: `proofs/FORMAT.md`. There is one spelling of each
@@ -17,14 +17,21 @@
 )]
 #![deny(clippy::disallowed_macros, reason = "assert! and its like")]
 
+mod bounds;
 mod error;
 mod read;
+mod read_bounds;
+mod seal;
 mod write;
+mod write_bounds;
 
 use std::fmt;
 
 use crate::exact::Polynomial;
 
+pub use bounds::{
+    Bounds, End, Odds, Quantity, Region, Side, Tree, Units, Unreachable, decimal_value, spell_decimal,
+};
 pub use error::{CertificateError, CertificateFault};
 
 /// An argument for a claim about the statement with a certain hash.
@@ -36,13 +43,17 @@ pub struct Certificate {
     pub argument: Argument,
 }
 
-/// The two kinds of argument.
+/// The kinds of argument.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Argument {
     /// The equations have no common zero: steps that end in 1.
     Impossible(Vec<Step>),
     /// They have this one: a value in K for each unknown, in the statement's order.
     Exact(Vec<Polynomial>),
+    /// At certain values the patch is this near to the surface.
+    Bounds(Bounds),
+    /// At no values is it nearer than this.
+    Unreachable(Unreachable),
 }
 
 /// One step: Σ multiplier · premise = conclusion.

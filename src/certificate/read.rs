@@ -21,7 +21,7 @@ impl Certificate {
         work: &mut Work,
     ) -> Result<Certificate, CertificateError> {
         let text = check_text(bytes)?;
-        let mut reader = Reader { ring, unknowns, lines: text.split('\n'), line: 0, work };
+        let mut reader = Reader { ring, unknowns, text, lines: text.split('\n'), line: 0, work };
         let certificate = reader.certificate()?;
         // Belt and braces: the grammar above is meant to leave no second spelling.
         if certificate.write(ring) != text {
@@ -55,21 +55,22 @@ fn check_text(bytes: &[u8]) -> Result<&str, CertificateError> {
     std::str::from_utf8(bytes).map_err(|_| error(lines(), 1, Fault::Character))
 }
 
-struct Reader<'a, 'w> {
-    ring: &'a Ring,
-    unknowns: usize,
+pub(super) struct Reader<'a, 'w> {
+    pub(super) ring: &'a Ring,
+    pub(super) unknowns: usize,
+    pub(super) text: &'a str,
     lines: Split<'a, char>,
     line: usize,
     work: &'w mut Work,
 }
 
 impl<'a> Reader<'a, '_> {
-    fn fail(&self, column: usize, fault: Fault) -> CertificateError {
+    pub(super) fn fail(&self, column: usize, fault: Fault) -> CertificateError {
         CertificateError { line: self.line, column, fault }
     }
 
     /// The next line; `expected` says which one is missing if there is none.
-    fn next(&mut self, expected: &'static str) -> Result<&'a str, CertificateError> {
+    pub(super) fn next(&mut self, expected: &'static str) -> Result<&'a str, CertificateError> {
         self.line = self.line.saturating_add(1);
         match self.lines.next() {
             // What follows the last newline is not a line.
@@ -78,7 +79,7 @@ impl<'a> Reader<'a, '_> {
         }
     }
 
-    fn unexpected(&self, line: &str, expected: &'static str) -> CertificateError {
+    pub(super) fn unexpected(&self, line: &str, expected: &'static str) -> CertificateError {
         self.fail(1, Fault::Line { expected, found: line.chars().take(60).collect() })
     }
 
@@ -92,10 +93,12 @@ impl<'a> Reader<'a, '_> {
         let line = self.next(expected)?;
         let hash = line.strip_prefix("statement sha256 ").filter(|hash| is_hash(hash));
         let statement = hash.ok_or_else(|| self.unexpected(line, expected))?.to_owned();
-        let expected = "`claim impossible` or `claim exact`";
+        let expected = "`claim impossible`, `claim exact`, `claim bounds` or `claim unreachable`";
         let argument = match self.next(expected)? {
             "claim impossible" => self.steps()?,
-            "claim exact" => self.values()?,
+            "claim exact" => self.exact()?,
+            "claim bounds" => Argument::Bounds(self.bounds()?),
+            "claim unreachable" => Argument::Unreachable(self.unreachable()?),
             other => return Err(self.unexpected(other, expected)),
         };
         match (self.lines.next(), self.lines.next()) {
@@ -194,7 +197,7 @@ impl<'a> Reader<'a, '_> {
     }
 
     /// A canonical decimal number. What does not fit 32 bits names nothing a statement could have.
-    fn index(&self, digits: &str) -> Result<u32, CertificateError> {
+    pub(super) fn index(&self, digits: &str) -> Result<u32, CertificateError> {
         let decimal =
             !digits.is_empty() && digits.len() <= 10 && digits.bytes().all(|byte| byte.is_ascii_digit());
         let canonical = decimal && (digits == "0" || !digits.starts_with('0'));
@@ -204,7 +207,18 @@ impl<'a> Reader<'a, '_> {
         })
     }
 
-    fn values(&mut self) -> Result<Argument, CertificateError> {
+    fn exact(&mut self) -> Result<Argument, CertificateError> {
+        let values = self.values()?;
+        let expected = "`end` and the number of unknowns";
+        let line = self.next(expected)?;
+        match self.is_end(line, values.len())? {
+            true => Ok(Argument::Exact(values)),
+            false => Err(self.unexpected(line, expected)),
+        }
+    }
+
+    /// A line for each unknown, in order.
+    pub(super) fn values(&mut self) -> Result<Vec<Polynomial>, CertificateError> {
         let mut values = Vec::new();
         let names: Vec<&String> = self.ring.variables.iter().take(self.unknowns).collect();
         for name in names {
@@ -219,15 +233,10 @@ impl<'a> Reader<'a, '_> {
             }
             values.push(value);
         }
-        let expected = "`end` and the number of unknowns";
-        let line = self.next(expected)?;
-        match self.is_end(line, values.len())? {
-            true => Ok(Argument::Exact(values)),
-            false => Err(self.unexpected(line, expected)),
-        }
+        Ok(values)
     }
 
-    fn polynomial(&mut self, line: &str, spelled: &str) -> Result<Polynomial, CertificateError> {
+    pub(super) fn polynomial(&mut self, line: &str, spelled: &str) -> Result<Polynomial, CertificateError> {
         self.ring.read(spelled, self.work).map_err(|error| {
             let column = column(line, spelled).saturating_add(error.at());
             match error {
@@ -239,7 +248,7 @@ impl<'a> Reader<'a, '_> {
 }
 
 /// The column, from 1, at which `tail`, the end of `line`, starts.
-fn column(line: &str, tail: &str) -> usize {
+pub(super) fn column(line: &str, tail: &str) -> usize {
     line.len().saturating_sub(tail.len()).saturating_add(1)
 }
 

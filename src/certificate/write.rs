@@ -1,6 +1,7 @@
 //! The canonical text of a certificate.
 
-use super::{Argument, Certificate};
+use super::seal::seal;
+use super::{Argument, Certificate, write_bounds};
 use crate::exact::Ring;
 
 impl Certificate {
@@ -27,9 +28,22 @@ impl Certificate {
                 }
                 values.len()
             }
+            Argument::Bounds(bounds) => return sealed(lines, write_bounds::bounds(bounds, ring)),
+            Argument::Unreachable(argument) => {
+                return sealed(lines, write_bounds::unreachable(argument, ring));
+            }
         };
         lines.push(format!("end {count}"));
         lines.push(String::new());
         lines.join("\n")
     }
+}
+
+/// Header and body with the line that seals them.
+fn sealed(mut lines: Vec<String>, (body, count): (Vec<String>, usize)) -> String {
+    lines.extend(body);
+    lines.push(String::new());
+    let text = lines.join("\n");
+    let last = seal(&text, count);
+    text + &last + "\n"
 }

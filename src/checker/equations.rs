@@ -13,12 +13,12 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use crate::certificate::Premise;
-use crate::exact::{Limit, Monomial, Polynomial, Work, combination};
+use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work, combination};
 use crate::statement::{Patch, Statement, Subject};
 
 /// The parameters t and s, beyond any unknown a statement can have.
-const T: u16 = u16::MAX - 1;
-const S: u16 = u16::MAX;
+pub(super) const T: u16 = u16::MAX - 1;
+pub(super) const S: u16 = u16::MAX;
 
 /// Every polynomial a certificate may use as a premise, by its name.
 #[derive(Debug, Clone)]
@@ -66,11 +66,14 @@ fn rabinowitsch(
     Polynomial::sum(&[product, Polynomial::integer(-1)], statement.field(), work)
 }
 
-fn coefficients(
-    statement: &Statement,
-    patch: &Patch,
-    work: &mut Work,
-) -> Result<BTreeMap<Premise, Polynomial>, Limit> {
+/// F(X̂, Ŷ, Ẑ, Ŵ) and Ŵ, polynomials in t, s and the unknowns.
+pub(super) struct Expanded {
+    pub(super) surface: Polynomial,
+    pub(super) weight: Polynomial,
+}
+
+/// Substitutes the net into the surface.
+pub(super) fn expand(field: &Radicands, patch: &Patch, work: &mut Work) -> Result<Expanded, Limit> {
     let (m, n) = patch.bidegree;
     let mut basis = Vec::new();
     for (i, j) in indices(m, n) {
@@ -81,9 +84,19 @@ fn coefficients(
     for k in 0..4usize {
         let entries = patch.net.iter().flatten().filter_map(|point| point.get(k));
         let pairs: Vec<(&Polynomial, &Polynomial)> = entries.zip(&basis).collect();
-        coordinates.push(combination(&pairs, statement.field(), work)?);
+        coordinates.push(combination(&pairs, field, work)?);
     }
-    let expanded = patch.surface.substitute(&coordinates, statement.field(), work)?;
+    let surface = patch.surface.substitute(&coordinates, field, work)?;
+    Ok(Expanded { surface, weight: coordinates.pop().unwrap_or_default() })
+}
+
+fn coefficients(
+    statement: &Statement,
+    patch: &Patch,
+    work: &mut Work,
+) -> Result<BTreeMap<Premise, Polynomial>, Limit> {
+    let (m, n) = patch.bidegree;
+    let expanded = expand(statement.field(), patch, work)?.surface;
 
     let degree = patch.surface.degree();
     let (last_r, last_s) = (m.saturating_mul(degree), n.saturating_mul(degree));

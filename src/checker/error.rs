@@ -19,6 +19,8 @@ pub enum CheckError {
     Equations(Limit),
     /// A limit was reached in this step, or (step 0) while stated values were tried.
     Replay { step: usize, limit: Limit },
+    /// A limit was reached at this node of a tree.
+    Subdivision { tree: &'static str, node: usize, limit: Limit },
     /// The certificate does not prove its claim.
     Rejected(Rejection),
 }
@@ -54,6 +56,24 @@ pub enum Rejection {
     AssumptionVanishes { assumption: Premise },
     /// A patch whose denominator W is the zero polynomial at the stated values.
     NoDenominator,
+    /// Bounds for a bare system.
+    NotAPatch,
+    /// A radius along a patch whose surface is another than X² + Y² + Z² − W² = 0.
+    NotTheUnitSphere,
+    /// A negative bound on a radius.
+    NegativeRadius,
+    /// Not a binary tree in preorder.
+    Tree { tree: &'static str },
+    /// A box on which the coefficients do not have the sign that is claimed.
+    Sign { tree: &'static str, node: usize },
+    /// A box that is halved though its coefficients have the sign that is claimed.
+    NeedlessHalving { tree: &'static str, node: usize },
+    /// A bound that is not the best decimal of its length, as far as the stated point shows.
+    NotReached { end: &'static str },
+    /// Unknowns that do not occur as a product.
+    NotAProduct,
+    /// A sum that is not shown to be nowhere positive on its box.
+    NotExcluded { chart: usize, node: usize },
 }
 
 impl fmt::Display for Rejection {
@@ -97,6 +117,36 @@ impl fmt::Display for Rejection {
             Rejection::NoDenominator => {
                 write!(f, "the denominator W of the patch is the zero polynomial at these values")
             }
+            Rejection::NotAPatch => write!(f, "a system of equations has no patch to bound"),
+            Rejection::NotTheUnitSphere => {
+                write!(f, "a radius is bounded, but the surface is not X^2 + Y^2 + Z^2 - W^2")
+            }
+            Rejection::NegativeRadius => write!(f, "a bound on a radius is negative"),
+            Rejection::Tree { tree } => write!(f, "{tree}: not a binary tree in preorder"),
+            Rejection::Sign { tree, node } => {
+                write!(
+                    f,
+                    "{tree}: on box {node} of the tree, the coefficients do not have the sign that is claimed"
+                )
+            }
+            Rejection::NeedlessHalving { tree, node } => {
+                write!(f, "{tree}: box {node} of the tree is halved, but need not be")
+            }
+            Rejection::NotReached { end } => {
+                write!(
+                    f,
+                    "{end}: the stated point does not come within one unit of the last place of the bound"
+                )
+            }
+            Rejection::NotAProduct => {
+                write!(f, "the equations are not polynomials in the stated products")
+            }
+            Rejection::NotExcluded { chart, node } => {
+                write!(
+                    f,
+                    "chart {chart}: on box {node} of the tree, the sum is not shown to be nowhere positive"
+                )
+            }
         }
     }
 }
@@ -109,6 +159,7 @@ impl fmt::Display for CheckError {
             CheckError::Equations(limit) => write!(f, "deriving the equations: {limit}"),
             CheckError::Replay { step: 0, limit } => write!(f, "trying the values: {limit}"),
             CheckError::Replay { step, limit } => write!(f, "step {step}: {limit}"),
+            CheckError::Subdivision { tree, node, limit } => write!(f, "{tree}, box {node}: {limit}"),
             CheckError::Rejected(rejection) => rejection.fmt(f),
         }
     }

@@ -17,11 +17,14 @@
 )]
 #![deny(clippy::disallowed_macros, reason = "assert! and its like")]
 
+mod bounds;
 mod equations;
 mod error;
+mod form;
 mod net;
 mod replay;
 mod theorem;
+mod unreachable;
 
 pub use equations::Equations;
 pub use error::{CheckError, Rejection};
@@ -60,14 +63,19 @@ fn examine(statement: &Statement, certificate: &Certificate, work: &mut Work) ->
         let actual = certificate.statement.clone();
         return Err(Rejection::OtherStatement { expected, actual }.into());
     }
-    let equations = Equations::of(statement, work).map_err(CheckError::Equations)?;
     match &certificate.argument {
-        Argument::Impossible(steps) => replay::replay(statement, &equations, steps, work),
+        Argument::Impossible(steps) => {
+            let equations = Equations::of(statement, work).map_err(CheckError::Equations)?;
+            replay::replay(statement, &equations, steps, work)
+        }
         Argument::Exact(values) => {
+            let equations = Equations::of(statement, work).map_err(CheckError::Equations)?;
             net::verify(statement, &equations, values, work).map_err(|error| match error {
                 net::Failure::Rejected(rejection) => rejection.into(),
                 net::Failure::Limit(limit) => CheckError::Replay { step: 0, limit },
             })
         }
+        Argument::Bounds(bounds) => bounds::verify(statement, bounds, work),
+        Argument::Unreachable(argument) => unreachable::verify(statement, argument, work),
     }
 }

@@ -67,7 +67,7 @@ pub(super) fn verify(
 }
 
 /// The net at the values of the unknowns.
-fn evaluated(
+pub(super) fn evaluated(
     patch: &Patch,
     values: &[Polynomial],
     statement: &Statement,

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use num_rational::BigRational;
+
+use crate::certificate::{Quantity, Units, spell_decimal};
 use crate::exact::Polynomial;
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
@@ -37,6 +40,32 @@ pub enum Claim {
         /// The value of each unknown, a constant of K.
         values: Vec<Polynomial>,
     },
+    /// At these values W > 0 on the whole square, and the quantity lies between the bounds, each the best decimal of its length.
+    Bounds {
+        /// The value of each unknown, a constant of K.
+        values: Vec<Polynomial>,
+        /// What is bounded.
+        quantity: Quantity,
+        /// Decimal places.
+        places: u32,
+        /// The bounds, in units of the last place.
+        between: [Units; 2],
+        /// Points (u, v) where they are approached to within a unit.
+        at: [[BigRational; 2]; 2],
+        /// Boxes of all subdivisions.
+        boxes: usize,
+    },
+    /// At no real values is W > 0 on the whole square and the quantity strictly between the bounds.
+    Unreachable {
+        /// What is bounded.
+        quantity: Quantity,
+        /// Decimal places.
+        places: u32,
+        /// The bounds, in units of the last place.
+        between: [Units; 2],
+        /// Boxes that were excluded.
+        boxes: usize,
+    },
 }
 
 impl Theorem {
@@ -54,12 +83,14 @@ impl Theorem {
         &self.claim
     }
 
-    /// `impossible`, `exact` or `solution`.
+    /// `impossible`, `exact`, `solution`, `bounds` or `unreachable`.
     pub fn kind(&self) -> &'static str {
         match self.claim {
             Claim::Impossible { .. } => "impossible",
             Claim::Exact { .. } => "exact",
             Claim::Solution { .. } => "solution",
+            Claim::Bounds { .. } => "bounds",
+            Claim::Unreachable { .. } => "unreachable",
         }
     }
 
@@ -114,7 +145,33 @@ impl Theorem {
             (_, Claim::Solution { .. }) => {
                 format!("The stated values in {field} solve the system{assuming}.")
             }
+            (_, Claim::Bounds { quantity, places, between: [low, high], at, .. }) => {
+                let [low, high] = [low, high].map(|bound| spell_decimal(bound, *places));
+                let [at_low, at_high] = at.each_ref().map(|[u, v]| format!("({u}, {v})"));
+                format!(
+                    "At the stated values the denominator W is positive on the whole square, and there \
+                     {low} ≤ {} ≤ {high}. Both bounds are the best with {places} decimals: the quantity comes within one unit of \
+                     the last place at (u, v) = {at_low} and {at_high}.",
+                    name_of(*quantity)
+                )
+            }
+            (_, Claim::Unreachable { quantity, places, between: [low, high], .. }) => {
+                let [low, high] = [low, high].map(|bound| spell_decimal(bound, *places));
+                format!(
+                    "For no real values of {} is the denominator W positive on the whole square and {low} < {} < {high} \
+                     everywhere on it.",
+                    self.statement.unknowns().join(", "),
+                    name_of(*quantity)
+                )
+            }
         }
+    }
+}
+
+fn name_of(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Radius => "√(x² + y² + z²)",
+        Quantity::Ratio => "F/W^e",
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::outcome::{Failure, Outcome, Status};
 use crate::checker::{CheckError, Claim, Theorem, check};
-use crate::exact::{Work, limits};
+use crate::exact::{Polynomial, Work, limits};
 use crate::statement::Statement;
 
 /// Reads a file, but not more than one byte beyond its limit.
@@ -28,7 +28,9 @@ pub(super) fn examine(statement: &Path, certificate: &Path) -> Result<Result<The
         Err(CheckError::Statement(error)) => Err(Failure(format!("{}:{error}", statement.display()))),
         Err(CheckError::Certificate(error)) => Err(Failure(format!("{}:{error}", certificate.display()))),
         Err(error @ CheckError::Equations(_)) => Err(Failure(format!("{}: {error}", statement.display()))),
-        Err(error @ CheckError::Replay { .. }) => Err(Failure(format!("{}: {error}", certificate.display()))),
+        Err(error @ (CheckError::Replay { .. } | CheckError::Subdivision { .. })) => {
+            Err(Failure(format!("{}: {error}", certificate.display())))
+        }
     }
 }
 
@@ -64,13 +66,20 @@ fn verified(theorem: &Theorem) -> String {
             lines
                 .push(format!("replayed   {steps} steps with {multiplier_terms} terms in their multipliers"));
         }
-        Claim::Exact { values, .. } | Claim::Solution { values } => {
-            let ring = statement.ring();
-            for (name, value) in statement.unknowns().iter().zip(values) {
-                lines.push(format!("value      {name} = {}", ring.spell(value)));
-            }
+        Claim::Bounds { values, boxes, .. } => {
+            lines.push(format!("replayed   {boxes} boxes"));
+            lines.extend(spelled(statement, values));
         }
+        Claim::Unreachable { boxes, .. } => lines.push(format!("replayed   {boxes} boxes")),
+        Claim::Exact { values, .. } | Claim::Solution { values } => lines.extend(spelled(statement, values)),
     }
     lines.push(String::new());
     lines.join("\n")
+}
+
+/// The values of the unknowns, a line each.
+fn spelled(statement: &Statement, values: &[Polynomial]) -> Vec<String> {
+    let ring = statement.ring();
+    let pairs = statement.unknowns().iter().zip(values);
+    pairs.map(|(name, value)| format!("value      {name} = {}", ring.spell(value))).collect()
 }

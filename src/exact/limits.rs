@@ -46,3 +46,9 @@ pub const NAME: usize = 32;
 pub const TITLE: usize = 200;
 /// Units of work for one statement with one certificate; [`super::Work`] has the prices.
 pub const WORK: u64 = 4_000_000_000;
+/// Decimal places of a bound.
+pub const PLACES: u32 = 1000;
+/// Boxes of a subdivision.
+pub const BOXES: usize = 1_000_000;
+/// Sample points of an argument over all values of the unknowns.
+pub const SAMPLES: usize = 10_000;

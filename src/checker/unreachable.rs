@@ -1,0 +1,232 @@
+//! Claim `unreachable`: no values of the unknowns keep the patch strictly between two bounds.
+//!
+//! Suppose some values did, with W > 0 on the whole square. Then at every point of it F − low·Wᵉ, high·Wᵉ − F and W are
+//! positive, and so is every sum of positive multiples of these. The charts cover the space of the unknowns by boxes, and
+//! on each box some such sum is nowhere positive.
+//!
+//! In the first chart every unknown is range·ξ with −1 ≤ ξ ≤ 1, and h = 1. In the others the unknown j is ±range/h with
+//! 0 < h ≤ 1, and the others are range·ξ/h: together they are all values. A polynomial of degree D in the unknowns is multiplied
+//! by h^D, which is positive. Sample points may move with h.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::bounds::{Powers, subject, threshold};
+use super::equations::{S, T, expand};
+use super::error::{CheckError, Rejection};
+use super::form::{Form, Interval, Signs};
+use super::theorem::{Claim, Theorem};
+use crate::certificate::{Odds, Region, Side, Unreachable};
+use crate::exact::{Limit, Monomial, Polynomial, Work};
+use crate::statement::Statement;
+
+pub(super) fn verify(
+    statement: &Statement,
+    argument: &Unreachable,
+    work: &mut Work,
+) -> Result<Theorem, CheckError> {
+    let patch = subject(statement, argument.quantity)?;
+    let field = statement.field();
+    let limited = |limit| CheckError::Replay { step: 0, limit };
+    let unknowns = statement.unknowns().len();
+    if argument.charts.len() != Unreachable::chart_count(unknowns) || !argument.range.is_positive() {
+        return Err(Rejection::Tree { tree: "charts" }.into());
+    }
+    let expanded = expand(field, patch, work).map_err(limited)?;
+    let power = expanded.weight.power(patch.surface.degree(), field, work).map_err(limited)?;
+    let powers = Powers { expanded, power, field };
+    let low = threshold(argument.quantity, &argument.lower, argument.places)?;
+    let high = threshold(argument.quantity, &argument.upper, argument.places)?;
+    let mut sides = Vec::with_capacity(3);
+    for (side, bound) in [(Side::Lower, low), (Side::Upper, high.clone()), (Side::Weight, high)] {
+        let polynomial = powers.side(side, bound, work).map_err(limited)?;
+        sides.push((side, with_products(&polynomial, &argument.products, work)?));
+    }
+    let signs = Signs::new(field);
+    let mut boxes = 0usize;
+    for (number, regions) in (0usize..).zip(&argument.charts) {
+        let chart = Chart { far: far(number), unknowns, range: &argument.range };
+        let mut open = vec![(chart.whole(), 0usize)];
+        for (position, region) in (1usize..).zip(regions) {
+            let at = |limit| CheckError::Subdivision { tree: "charts", node: position, limit };
+            let Some((intervals, depth)) = open.pop() else {
+                return Err(Rejection::Tree { tree: "charts" }.into());
+            };
+            match region {
+                Region::Halved => {
+                    let axis = depth.checked_rem(unknowns.max(1)).unwrap_or(0);
+                    let halves = intervals.get(axis).map(Interval::halves);
+                    for half in halves.into_iter().flatten().rev() {
+                        let mut part = intervals.clone();
+                        if let Some(interval) = part.get_mut(axis) {
+                            *interval = half;
+                        }
+                        work.charge(1000).map_err(at)?;
+                        open.push((part, depth.saturating_add(1)));
+                    }
+                }
+                Region::Excluded(sum) => {
+                    let terms = chart.sum(sum, &sides, &argument.samples, work).map_err(at)?;
+                    let mut form = Form::new(field, degrees(&terms, unknowns), &terms, work).map_err(at)?;
+                    for (axis, interval) in (0usize..).zip(&intervals) {
+                        form = form.on(axis, interval, work).map_err(at)?;
+                    }
+                    if !form.all(&signs, &[Ordering::Less, Ordering::Equal], work).map_err(at)? {
+                        let chart = number.saturating_add(1);
+                        return Err(Rejection::NotExcluded { chart, node: position }.into());
+                    }
+                    boxes = boxes.saturating_add(1);
+                }
+            }
+        }
+        if !open.is_empty() {
+            return Err(Rejection::Tree { tree: "charts" }.into());
+        }
+    }
+    let claim = Claim::Unreachable {
+        quantity: argument.quantity,
+        places: argument.places,
+        between: [argument.lower.clone(), argument.upper.clone()],
+        boxes,
+    };
+    Ok(Theorem::established(statement, claim))
+}
+
+/// Terms in h and the ξ, one variable for each unknown.
+type Terms = Vec<(Vec<usize>, u8, BigRational)>;
+
+/// z is put for z·w: z^b w^a becomes z^b w^(a−b), which must not have a negative exponent.
+fn with_products(
+    polynomial: &Polynomial,
+    products: &[(u16, u16)],
+    work: &mut Work,
+) -> Result<Polynomial, CheckError> {
+    let mut terms: Vec<(Monomial, BigRational)> =
+        polynomial.terms().map(|(monomial, value)| (monomial.clone(), value.clone())).collect();
+    for &(z, w) in products {
+        for (monomial, _) in &mut terms {
+            work.charge_term(monomial).map_err(|limit| CheckError::Replay { step: 0, limit })?;
+            let spent = monomial.exponent(z);
+            let mut powers = monomial.powers().to_vec();
+            for (variable, exponent) in &mut powers {
+                if *variable == w {
+                    *exponent = exponent.checked_sub(spent).ok_or(Rejection::NotAProduct)?;
+                }
+            }
+            if spent > 0 && monomial.exponent(w) == 0 {
+                return Err(Rejection::NotAProduct.into());
+            }
+            powers.retain(|&(_, exponent)| exponent > 0);
+            let replaced = Monomial::new(monomial.mask(), powers).and_then(Result::ok);
+            *monomial = replaced.ok_or(Rejection::NotAProduct)?;
+        }
+    }
+    // z·w ↦ z is one to one on the monomials it applies to, so that no two of them have become equal.
+    Ok(Polynomial::from_terms(terms))
+}
+
+/// Which unknown is the largest in a chart, and its sign; none in the first.
+fn far(number: usize) -> Option<(usize, bool)> {
+    let index = number.checked_sub(1)?;
+    Some((index.checked_div(2)?, index.checked_rem(2)? == 1))
+}
+
+struct Chart<'a> {
+    /// The unknown that is ±range/h, and whether it is negative.
+    far: Option<(usize, bool)>,
+    unknowns: usize,
+    range: &'a BigInt,
+}
+
+impl Chart<'_> {
+    /// ξ from −1 to 1, and h from 0 to 1 in the place of the unknown that is far.
+    fn whole(&self) -> Vec<Interval> {
+        let is_far = |axis: usize| self.far.is_some_and(|(far, _)| far == axis);
+        let range = |axis| if is_far(axis) { [0, 1] } else { [-1, 1] };
+        (0..self.unknowns).map(|axis| Interval::new(range(axis), [1, 1])).collect()
+    }
+
+    /// Σ factor·side at its sample, times a power of h.
+    fn sum(
+        &self,
+        sum: &[(BigInt, Side, usize)],
+        sides: &[(Side, Polynomial)],
+        samples: &[[Odds; 2]],
+        work: &mut Work,
+    ) -> Result<Terms, Limit> {
+        let of =
+            |wanted: Side| sides.iter().find(|(side, _)| *side == wanted).map(|(_, polynomial)| polynomial);
+        let degree = |polynomial: &Polynomial| {
+            let of_unknowns = polynomial.terms().map(|(monomial, _)| monomial.split(T).0.degree());
+            of_unknowns.max().unwrap_or(0)
+        };
+        // All of them are brought to the largest degree.
+        let degree = sum.iter().filter_map(|(_, side, _)| of(*side).map(degree)).max().unwrap_or(0);
+        let mut terms = Vec::new();
+        for (factor, side, sample) in sum {
+            let (Some(polynomial), Some(odds)) =
+                (of(*side), sample.checked_sub(1).and_then(|index| samples.get(index)))
+            else {
+                // The reader has refused samples that do not exist.
+                continue;
+            };
+            for (monomial, value) in polynomial.terms() {
+                work.charge_term(monomial)?;
+                let value = value * BigRational::from_integer(factor.clone());
+                terms.push(self.term(monomial, value, odds, degree, work)?);
+            }
+        }
+        Ok(terms)
+    }
+
+    /// One term, with t, s and the unknowns replaced.
+    fn term(
+        &self,
+        monomial: &Monomial,
+        value: BigRational,
+        odds: &[Odds; 2],
+        degree: u32,
+        work: &mut Work,
+    ) -> Result<(Vec<usize>, u8, BigRational), Limit> {
+        let (unknowns, _) = monomial.split(T);
+        let mut value = value;
+        let mut of_h = degree.saturating_sub(unknowns.degree());
+        for (Odds { value: odds, shrinking }, variable) in odds.iter().zip([T, S]) {
+            let exponent = monomial.exponent(variable);
+            for _ in 0..exponent {
+                work.charge_gcd(value.numer(), odds.denom())?;
+                value *= odds;
+            }
+            if *shrinking {
+                of_h = of_h.saturating_add(exponent);
+            }
+        }
+        let mut exponents = vec![0usize; self.unknowns];
+        for &(variable, exponent) in unknowns.powers() {
+            for _ in 0..exponent {
+                work.charge_gcd(value.numer(), self.range)?;
+                value *= BigRational::from_integer(self.range.clone());
+            }
+            let negative = self.far == Some((usize::from(variable), true));
+            if negative && exponent.checked_rem(2) == Some(1) {
+                value = -value;
+            }
+            if let Some(place) = exponents.get_mut(usize::from(variable)) {
+                *place = usize::try_from(exponent).unwrap_or(usize::MAX);
+            }
+        }
+        if let Some(place) = self.far.and_then(|(far, _)| exponents.get_mut(far)) {
+            *place = usize::try_from(of_h).unwrap_or(usize::MAX);
+        }
+        Ok((exponents, monomial.mask(), value))
+    }
+}
+
+/// The largest exponent of each variable.
+fn degrees(terms: &Terms, unknowns: usize) -> Vec<usize> {
+    let largest = |axis: usize| terms.iter().filter_map(|(exponents, ..)| exponents.get(axis)).max().copied();
+    (0..unknowns).map(|axis| largest(axis).unwrap_or(0)).collect()
+}
