@@ -39,6 +39,8 @@ pub mod catalogue;
 #[cfg(feature = "prover")]
 pub mod prove;
 #[cfg(feature = "prover")]
+pub mod approximation;
+#[cfg(feature = "prover")]
 pub mod expand;
 #[cfg(feature = "prover")]
 pub mod listing;

@@ -142,6 +142,21 @@ impl Integer {
         Integer(Backend::from(&self.0 * factor))
     }
 
+    /// ⌊self / 2ⁿ⌋.
+    pub fn shifted_right(&self, n: u32) -> Self {
+        Integer(Backend::from(&self.0 >> n))
+    }
+
+    /// self · 2ⁿ.
+    pub fn shifted_left(&self, n: u32) -> Self {
+        Integer(Backend::from(&self.0 << n))
+    }
+
+    /// self to a power.
+    pub fn power(&self, exponent: u32) -> Self {
+        (0..exponent).fold(Integer::one(), |power, _| &power * self)
+    }
+
     /// The least common multiple.
     pub fn lcm(&self, other: &Self) -> Self {
         if self == other || other.is_one() {

@@ -152,32 +152,35 @@ fn substitution(degree: usize, interval: &Interval) -> Vec<Vec<BigInt>> {
 /// How signs of elements of K with integral coordinates are decided.
 pub(super) struct Signs {
     field: Radicands,
-    /// ⌊√n·2^PRECISION⌋ for each mask.
-    roots: Vec<BigInt>,
+    /// ⌊√n·2ᵇ⌋ for each mask, for some b.
+    roots: Vec<Vec<BigInt>>,
 }
 
 impl Signs {
-    const PRECISION: u32 = 128;
+    /// The bits b: nearly always the first suffice.
+    const PRECISIONS: [u32; 3] = [128, 512, 2048];
 
     pub(super) fn new(field: &Radicands) -> Self {
-        let scale = (0..Signs::PRECISION).fold(BigInt::one(), |scale, _| scale * BigInt::from(4));
-        let roots = field.masks().map(|mask| (field.under_root(mask) * &scale).sqrt()).collect();
-        Signs { field: field.clone(), roots }
+        let roots = |bits: u32| {
+            let scale = (0..bits).fold(BigInt::one(), |scale, _| scale * BigInt::from(4));
+            field.masks().map(|mask| (field.under_root(mask) * &scale).sqrt()).collect()
+        };
+        Signs { field: field.clone(), roots: Signs::PRECISIONS.map(roots).to_vec() }
     }
 
-    /// Σ c·√n·2^PRECISION differs from Σ c·⌊√n·2^PRECISION⌋ by less than Σ|c| over the irrational n. Where that leaves
-    /// the sign open, it is found exactly.
+    /// Σ c·√n·2ᵇ differs from Σ c·⌊√n·2ᵇ⌋ by less than Σ|c| over the irrational √n. Where that leaves the sign
+    /// open, it is found exactly.
     fn of(&self, coordinates: &[BigInt], work: &mut Work) -> Result<Ordering, Limit> {
-        let (mut sum, mut error) = (BigInt::ZERO, BigInt::ZERO);
-        for (mask, (value, root)) in (0usize..).zip(coordinates.iter().zip(&self.roots)) {
-            work.charge_product(value, root)?;
-            sum += value * root;
-            if mask > 0 {
-                error += value.abs();
+        let error = coordinates.iter().skip(1).fold(BigInt::ZERO, |sum, value| sum + value.abs());
+        for roots in &self.roots {
+            let mut sum = BigInt::ZERO;
+            for (value, root) in coordinates.iter().zip(roots) {
+                work.charge_product(value, root)?;
+                sum += value * root;
             }
-        }
-        if sum.abs() > error || error.is_zero() {
-            return Ok(sum.cmp(&BigInt::ZERO));
+            if sum.abs() > error || error.is_zero() {
+                return Ok(sum.cmp(&BigInt::ZERO));
+            }
         }
         let terms = (0u8..)
             .zip(coordinates)

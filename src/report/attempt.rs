@@ -63,6 +63,10 @@ pub fn describe(
                 let _ = writeln!(text, "{}\n", statement.title());
                 text += &solution(statement, theorem);
             }
+            // Elimination proves nothing of this kind; what it is would be said like this.
+            Claim::Bounds { .. } | Claim::Unreachable { .. } => {
+                let _ = writeln!(text, "PROVED  {name}: {}\n", theorem.kind());
+            }
         },
     }
     if let (Attempt::Proved { theorem, .. }, Some(files)) = (attempt, files) {

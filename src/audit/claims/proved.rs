@@ -27,13 +27,13 @@ pub(super) fn proved(
         Attempt::Proved { certificate, theorem } => {
             let found = match theorem.claim() {
                 Claim::Impossible { .. } => Expectation::Impossible,
-                Claim::Exact { .. } | Claim::Solution { .. } => Expectation::Exact,
+                _ => Expectation::Exact,
             };
             let how = match &certificate.argument {
                 Argument::Impossible(steps) => {
                     format!("{name}: PROVED impossible, a certificate of {} steps, checked", steps.len())
                 }
-                Argument::Exact(_) => format!("{name}: EXACT, checked"),
+                _ => format!("{name}: EXACT, checked"),
             };
             let judgement = if found == expected { Judgement::Holds } else { Judgement::Fails };
             (judgement, vec![Phrase::words(how)])

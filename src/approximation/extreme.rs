@@ -1,0 +1,61 @@
+//! The largest value of a quotient of two forms on the unit square.
+
+use super::boxes::{Coefficients, Part};
+use super::tree::NoTree;
+use crate::algebra::Integer;
+use crate::elimination::Control;
+
+/// A point of the square, as numerators over powers of two, and the quotient there in fixed point.
+#[derive(Debug, Clone)]
+pub(super) struct Extreme {
+    pub(super) corner: (Integer, Integer),
+    pub(super) depths: (u32, u32),
+    pub(super) value: Integer,
+}
+
+/// The largest value of numerator/denominator, in units of 2^−bits: no point has one larger by more than `slack`.
+///
+/// The denominator is positive and both have one bidegree. With the Bernstein coefficients nᵢ and dᵢ of both, the quotient
+/// on a box is at most max nᵢ/dᵢ. Boxes that cannot do better than the best corner so far are dropped, the others halved, all
+/// of one depth before those of the next: near a maximum a bounded number is left at each depth.
+pub(super) fn largest(
+    numerator: Coefficients,
+    denominator: Coefficients,
+    bits: u32,
+    slack: &Integer,
+    at_most: usize,
+    control: &Control<'_>,
+) -> Result<Extreme, NoTree> {
+    let mut level = vec![Part::whole([numerator, denominator])];
+    let mut best: Option<Extreme> = None;
+    let mut seen = 0;
+    while !level.is_empty() {
+        control.check().map_err(NoTree::Interrupted)?;
+        for part in &level {
+            let [above, below] = &part.forms;
+            for (number, &place) in above.corners().iter().enumerate() {
+                // n/d > best iff n·2^bits > best·d: no division unless it is.
+                let scaled = above.values[place].shifted_left(bits);
+                let better = best.as_ref().is_none_or(|best| scaled > &best.value * &below.values[place]);
+                if better {
+                    let (value, _) = scaled.quotient_and_remainder(&below.values[place]);
+                    if best.as_ref().is_none_or(|best| value > best.value) {
+                        best = Some(Extreme { corner: part.corner(number), depths: part.depths(), value });
+                    }
+                }
+            }
+        }
+        let Some(Extreme { value, .. }) = &best else { break };
+        let bar = value + slack;
+        let promising = |part: &Part<2>| {
+            let [above, below] = &part.forms;
+            above.values.iter().zip(&below.values).any(|(n, d)| n.shifted_left(bits) > &bar * d)
+        };
+        seen += level.len();
+        if seen > at_most {
+            return Err(NoTree::TooMany);
+        }
+        level = level.iter().filter(|part| promising(part)).flat_map(Part::halves).collect();
+    }
+    best.ok_or(NoTree::TooMany)
+}
