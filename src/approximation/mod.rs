@@ -4,6 +4,7 @@
 //! has accepted.
 
 mod boxes;
+mod chart;
 mod descent;
 mod enclosure;
 mod extreme;
@@ -13,11 +14,13 @@ mod model;
 mod objective;
 mod start;
 mod tree;
+mod unreachable;
 
 pub use enclosure::{Enclosure, EnclosureError, enclose, patch_at, quantity_of};
 pub use extremes::{Place, local_extremes};
 pub use model::{Deviation, Fitted, Model};
 pub use objective::Objective;
+pub use unreachable::{Barrier, UnreachableError, exclude};
 
 use crate::elimination::{Control, Interrupted};
 

@@ -6,7 +6,7 @@
 //!
 //! In the first chart every unknown is range·ξ with −1 ≤ ξ ≤ 1, and h = 1. In the others the unknown j is ±range/h with
 //! 0 < h ≤ 1, and the others are range·ξ/h: together they are all values. A polynomial of degree D in the unknowns is multiplied
-//! by h^D, which is positive. Sample points may move with h.
+//! by h^D, which is positive, and divided by any power of h that all its terms have. Sample points may move with h.
 
 use std::cmp::Ordering;
 
@@ -165,7 +165,7 @@ impl Chart<'_> {
         };
         // All of them are brought to the largest degree.
         let degree = sum.iter().filter_map(|(_, side, _)| of(*side).map(degree)).max().unwrap_or(0);
-        let mut terms = Vec::new();
+        let mut terms: Terms = Vec::new();
         for (factor, side, sample) in sum {
             let (Some(polynomial), Some(odds)) =
                 (of(*side), sample.checked_sub(1).and_then(|index| samples.get(index)))
@@ -177,6 +177,15 @@ impl Chart<'_> {
                 work.charge_term(monomial)?;
                 let value = value * BigRational::from_integer(factor.clone());
                 terms.push(self.term(monomial, value, odds, degree, work)?);
+            }
+        }
+        // A power of h that is in all terms is divided out: h > 0 for all values that the chart is about.
+        if let Some((far, _)) = self.far {
+            let common = terms.iter().filter_map(|(exponents, ..)| exponents.get(far)).min().copied();
+            for (exponents, ..) in &mut terms {
+                if let Some(exponent) = exponents.get_mut(far) {
+                    *exponent = exponent.saturating_sub(common.unwrap_or(0));
+                }
             }
         }
         Ok(terms)

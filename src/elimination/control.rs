@@ -78,6 +78,13 @@ pub enum Progress {
     },
     /// A proof was found and is being made shorter.
     Shortening,
+    /// Boxes of the unknowns' space are being excluded.
+    Boxes {
+        /// Boxes that are excluded.
+        excluded: usize,
+        /// Boxes known to be left.
+        open: usize,
+    },
 }
 
 impl fmt::Display for Progress {
@@ -99,6 +106,9 @@ impl fmt::Display for Progress {
                 write!(f, "exactly: a combination of {rows} multiples that has degree {degree}")
             }
             Progress::Digits { digits } => write!(f, "exactly: {digits} p-adic digits of each coefficient"),
+            Progress::Boxes { excluded, open } => {
+                write!(f, "all values of the unknowns: {excluded} boxes excluded, {open} open")
+            }
             Progress::Shortening => f.write_str("shortening the proof"),
         }
     }
