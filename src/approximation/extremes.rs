@@ -32,6 +32,14 @@ pub fn local_extremes(fitted: &Fitted<'_>, intervals: usize) -> Vec<Place> {
             }
         }
     }
+    distinct(places)
+}
+
+/// Each place once: those on a ridge, or found from several sides, climb to the same one.
+fn distinct(mut places: Vec<Place>) -> Vec<Place> {
+    let near = |x: f64| (x * 1e4).round() as i64;
+    let mut seen = std::collections::HashSet::new();
+    places.retain(|place| seen.insert((near(place.u), near(place.v))));
     places
 }
 

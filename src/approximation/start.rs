@@ -7,7 +7,7 @@ use super::model::Model;
 use crate::elimination::{Control, Interrupted};
 
 /// Starts that are tried.
-const STARTS: usize = 48;
+pub(super) const STARTS: usize = 48;
 /// Intervals of the grid while a start is looked for.
 const COARSE: usize = 8;
 /// The smallest denominator that is taken.

@@ -140,7 +140,7 @@ fn forms(
 
 /// Unknown coordinates z of points whose unknown weight is w: in homogeneous coordinates the product z·w is the unknown. (Where z
 /// grows as w vanishes, only the product tells what becomes of the patch.)
-fn products(statement: &Statement) -> Vec<(u16, u16)> {
+pub(super) fn products(statement: &Statement) -> Vec<(u16, u16)> {
     let Subject::Patch(patch) = statement.subject() else { return Vec::new() };
     let entries = || patch.net.iter().flatten().flatten();
     let mut found: BTreeMap<u16, Option<u16>> = BTreeMap::new();

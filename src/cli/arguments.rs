@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::audit::{self, AuditOptions};
+use super::bound::{self, BoundOptions};
 use super::control::Limits;
 use super::outcome::{Failure, Outcome, Status};
 use super::{check, expand, list, prove};
@@ -75,6 +76,8 @@ enum Command {
     },
     /// Hold a printed coefficient listing, or a printed control net, against the truth.
     Audit(AuditOptions),
+    /// Enclose the radius over the whole patch, with a proof, at given values of the unknowns.
+    Bound(BoundOptions),
     /// List the built-in statements.
     List,
 }
@@ -138,6 +141,7 @@ pub fn run() -> Result<Outcome, Failure> {
             expand::run(&source, basis, format)
         }
         Some(Command::Audit(options)) => audit::run(&options, format),
+        Some(Command::Bound(options)) => bound::run(&options, format),
         Some(Command::List) => list::run(format),
     }
 }

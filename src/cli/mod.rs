@@ -7,6 +7,8 @@ pub mod outcome;
 mod arguments;
 #[cfg(feature = "prover")]
 mod audit;
+#[cfg(feature = "prover")]
+mod bound;
 #[cfg(not(feature = "prover"))]
 mod checker_only;
 #[cfg(feature = "prover")]
@@ -14,11 +16,15 @@ mod control;
 #[cfg(feature = "prover")]
 mod expand;
 #[cfg(feature = "prover")]
+mod files;
+#[cfg(feature = "prover")]
 mod list;
 #[cfg(feature = "prover")]
 mod prove;
 #[cfg(feature = "prover")]
 mod source;
+#[cfg(feature = "prover")]
+mod values;
 
 #[cfg(feature = "prover")]
 pub use arguments::run;

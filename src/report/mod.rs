@@ -3,6 +3,7 @@
 mod attempt;
 mod audit;
 mod audit_data;
+pub mod bounds;
 mod expansion;
 pub mod json;
 pub mod latex;

@@ -31,6 +31,19 @@ impl Statement {
         Statement::read_within(text, &mut Work::full())
     }
 
+    /// Reads an exact constant of a field, in the notation of statement files.
+    ///
+    /// # Errors
+    /// [`StatementError`] with the place in the text.
+    pub fn read_constant(
+        text: &str,
+        field: &Radicands,
+        work: &mut Work,
+    ) -> Result<Polynomial, StatementError> {
+        let scope = Scope { field, variables: &[], constants: &[] };
+        evaluate(text, &scope, work).map_err(|located| locate(text, located))
+    }
+
     fn read_within(text: &str, work: &mut Work) -> Result<Statement, StatementError> {
         let read = Document::parse(text).and_then(|document| document.statement(work));
         read.map_err(|located| locate(text, located))

@@ -1,0 +1,158 @@
+//! `prove-cap bound NAME|FILE --set NAME=VALUE …`: a proved enclosure of the radius over the whole patch.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use num_rational::BigRational;
+
+use super::arguments::{Format, to_json};
+use super::control::{Limits, under_control};
+use super::files::{sealed_name, write_and_check};
+use super::outcome::{Failure, Outcome, Status};
+use super::source::Source;
+use super::values::{interval, printed, tolerance, values};
+use crate::approximation::{Enclosure, EnclosureError, decimal_at, enclose, simple_point_beyond};
+use crate::certificate::{Side, decimal_value};
+use crate::report::bounds::{
+    EndVerdict, Finding, checked_text, decimal, enclosure_data, enclosure_details, enclosure_text, symbol,
+    verdict_data, verdict_text,
+};
+use crate::statement::{Statement, Subject};
+
+#[derive(Debug, Args)]
+pub(super) struct BoundOptions {
+    /// A built-in statement (see `list`) or a statement file.
+    #[arg(value_name = "NAME|FILE")]
+    source: PathBuf,
+    /// The value of an unknown, exactly: a decimal, a fraction, or an expression like 4*sqrt(3)/3; once for each unknown.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    set: Vec<String>,
+    /// How near the bounds are to the true extremes; the decimals that it takes are all right.
+    #[arg(long, value_name = "SIZE", default_value = "1e-12", value_parser = tolerance)]
+    tolerance: u32,
+    /// Hold a printed interval against the truth: AGREES, or DIFFERS with a point of the patch outside.
+    #[arg(long, value_name = "LOW,HIGH", value_parser = interval, allow_hyphen_values = true)]
+    claim: Option<[String; 2]>,
+    /// Where statement.toml and the certificate are written [default: proofs/NAME].
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    limits: Limits,
+}
+
+pub(super) fn run(options: &BoundOptions, format: Format) -> Result<Outcome, Failure> {
+    let source = Source::find(&options.source)?;
+    let statement = &source.statement;
+    let degree = degree_of(statement)?;
+    let values = values(statement, &options.set)?;
+    let enclosed =
+        under_control(&options.limits, |control| enclose(statement, &values, options.tolerance, control))?;
+    let enclosure = match enclosed {
+        Ok(enclosure) => enclosure,
+        Err(error) => return undecided(&source.name, &error, format),
+    };
+    let certificate = enclosure.certificate.write(&statement.ring());
+    let name = sealed_name("bounds", &certificate);
+    let files = write_and_check(&source, options.output.as_deref(), &certificate, &name)?;
+    let verdicts = options.claim.as_ref().map(|claim| judge(statement, &enclosure, claim)).transpose()?;
+    let fails = |verdict: &EndVerdict| matches!(verdict.finding, Finding::Fails { .. });
+    let open = |verdict: &EndVerdict| matches!(verdict.finding, Finding::Open);
+    let (word, status) = match &verdicts {
+        None => ("PROVED", Status::Established),
+        Some(verdicts) if verdicts.iter().any(fails) => ("DIFFERS", Status::Wrong),
+        Some(verdicts) if verdicts.iter().any(open) => ("UNDECIDED", Status::Undecided),
+        Some(_) => ("AGREES", Status::Established),
+    };
+    if format == Format::Json {
+        let mut data = enclosure_data(statement, &enclosure, Some(&files));
+        data["verdict"] = word.into();
+        data["name"] = source.name.clone().into();
+        data["claim"] = verdicts.as_deref().map_or(serde_json::Value::Null, verdict_data);
+        return Ok(Outcome { text: to_json(&data)?, status });
+    }
+    let enclosed = enclosure_text(&enclosure.bounds, degree);
+    let mut text = match (&verdicts, &options.claim) {
+        (Some(verdicts), Some([low, high])) => {
+            let holds = if word == "AGREES" { "holds" } else { "does not hold" };
+            let holds = if word == "UNDECIDED" { "is not decided" } else { holds };
+            let symbol = symbol(enclosure.bounds.quantity, degree);
+            format!(
+                "{word}  {}: the printed interval [{low}, {high}] {holds}\n\n{}\nProved: {enclosed} on the whole patch\n",
+                source.name,
+                verdict_text(verdicts, &symbol)
+            )
+        }
+        _ => format!("{word}  {}: {enclosed} on the whole patch\n", source.name),
+    };
+    text += &format!("\n{}\n\n", statement.title());
+    text += &enclosure_details(statement, &enclosure, degree);
+    text += &checked_text(&enclosure.theorem, &files);
+    Ok(Outcome { text, status })
+}
+
+/// e, the degree of the surface.
+pub(super) fn degree_of(statement: &Statement) -> Result<u32, Failure> {
+    match statement.subject() {
+        Subject::Patch(patch) => Ok(patch.surface.degree()),
+        Subject::System(_) => Err(Failure(EnclosureError::NotAPatch.to_string())),
+    }
+}
+
+/// What a search that ended without an enclosure comes to.
+pub(super) fn undecided(name: &str, error: &EnclosureError, format: Format) -> Result<Outcome, Failure> {
+    match error {
+        EnclosureError::Interrupted(_) | EnclosureError::TooFine(_) => {
+            let text = match format {
+                Format::Json => to_json(
+                    &serde_json::json!({ "verdict": "UNDECIDED", "name": name, "reason": error.to_string() }),
+                )?,
+                _ => format!("UNDECIDED  {name}: {error}\n"),
+            };
+            Ok(Outcome { text, status: Status::Undecided })
+        }
+        error => Err(Failure(format!("{name}: {error}"))),
+    }
+}
+
+/// Holds a printed interval against proved bounds.
+pub(super) fn judge(
+    statement: &Statement,
+    enclosure: &Enclosure,
+    claim: &[String; 2],
+) -> Result<Vec<EndVerdict>, Failure> {
+    let bounds = &enclosure.bounds;
+    let [least, greatest] =
+        [&bounds.lower.bound, &bounds.upper.bound].map(|units| decimal_value(units, bounds.places));
+    let unit = decimal_value(&1.into(), bounds.places);
+    let ends = [
+        ("≥", Side::Lower, &claim[0], &bounds.lower, least.clone()),
+        ("≤", Side::Upper, &claim[1], &bounds.upper, greatest.clone()),
+    ];
+    let verdicts = ends.map(|(relation, side, text, end, proved)| {
+        let (value, half) = printed(text);
+        // Outwards is positive.
+        let sign = BigRational::from_integer(if side == Side::Upper { 1 } else { -1 }.into());
+        let beyond = (&proved - &value) * &sign;
+        let finding = if beyond <= BigRational::default() {
+            Finding::Bound
+        } else if beyond <= half {
+            Finding::Rounded
+        } else {
+            // The quantity comes within a unit of the bound.
+            let limit = &value + &half * &sign;
+            if beyond > &half + &unit {
+                let at = simple_point_beyond(statement, &bounds.values, side, &limit, &end.at)
+                    .map_err(Failure::of)?;
+                let places = bounds.places;
+                let shown = decimal_at(statement, &bounds.values, &at, places, [&least, &greatest])
+                    .map_err(Failure::of)?;
+                let units = (shown / &unit).to_integer();
+                Finding::Fails { at, value: decimal(&units, places) }
+            } else {
+                Finding::Open
+            }
+        };
+        Ok(EndVerdict { printed: text.clone(), relation, finding })
+    });
+    verdicts.into_iter().collect()
+}

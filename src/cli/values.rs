@@ -1,0 +1,98 @@
+//! Values of unknowns, tolerances, intervals and points on the command line.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::outcome::Failure;
+use crate::exact::{Polynomial, Work};
+use crate::statement::Statement;
+
+/// The decimal places that the checker's limits allow within reason.
+const PLACES: u32 = 100;
+
+/// The value of each unknown, from `NAME=VALUE`, in the statement's order.
+pub(super) fn values(statement: &Statement, set: &[String]) -> Result<Vec<Polynomial>, Failure> {
+    let unknowns = statement.unknowns();
+    let mut values: Vec<Option<Polynomial>> = vec![None; unknowns.len()];
+    for text in set {
+        let Some((name, value)) = text.split_once('=') else {
+            return Err(Failure(format!("--set {text}: expected NAME=VALUE, as in w=0.5")));
+        };
+        let Some(place) = unknowns.iter().position(|unknown| unknown == name.trim()) else {
+            let expected = match unknowns {
+                [] => "the patch has no unknowns".to_owned(),
+                names => format!("expected one of {}", names.join(", ")),
+            };
+            return Err(Failure(format!("--set {text}: `{}` is not an unknown; {expected}", name.trim())));
+        };
+        if values[place].is_some() {
+            return Err(Failure(format!("--set {text}: `{}` is set twice", name.trim())));
+        }
+        let read = Statement::read_constant(value, statement.field(), &mut Work::full());
+        let read = read.map_err(|error| {
+            Failure(format!(
+                "--set {text}: {}\nexpected an exact number of {}: a decimal, 1/2, or an expression like 4*sqrt(3)/3",
+                error.fault,
+                statement.field()
+            ))
+        })?;
+        values[place] = Some(read);
+    }
+    let missing: Vec<&str> = unknowns
+        .iter()
+        .zip(&values)
+        .filter(|(_, value)| value.is_none())
+        .map(|(name, _)| name.as_str())
+        .collect();
+    if !missing.is_empty() {
+        return Err(Failure(format!("no value for {}: give it with --set NAME=VALUE", missing.join(", "))));
+    }
+    Ok(values.into_iter().flatten().collect())
+}
+
+/// A tolerance as decimal places: 1e-12 is 12.
+pub(super) fn tolerance(text: &str) -> Result<u32, String> {
+    let size: f64 = text.parse().map_err(|_| "expected a number such as 1e-12".to_owned())?;
+    if !(size > 0.0 && size < 1.0) {
+        return Err("expected a number between 0 and 1, such as 1e-12".to_owned());
+    }
+    // 1e-12 is a little more or less than 10⁻¹² in binary.
+    let places = (-size.log10() - 1e-9).ceil() as u32;
+    match places {
+        1..=PLACES => Ok(places),
+        0 => Ok(1),
+        _ => Err(format!("the checker's limits allow 1e-{PLACES} and more")),
+    }
+}
+
+/// An interval of two printed decimals, `0.9,1.1`, as they are printed.
+pub(super) fn interval(text: &str) -> Result<[String; 2], String> {
+    let expected = || "expected two decimals, LOW,HIGH, as in 0.99,1.01".to_owned();
+    let (low, high) = text.split_once(',').ok_or_else(expected)?;
+    let is_decimal = |text: &str| {
+        let digits = text.strip_prefix('-').unwrap_or(text);
+        let (whole, decimals) = digits.split_once('.').unwrap_or((digits, "0"));
+        let all = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+        all(whole) && all(decimals) && text.len() <= 200
+    };
+    let pair = [low.trim(), high.trim()];
+    if pair.iter().all(|text| is_decimal(text)) { Ok(pair.map(str::to_owned)) } else { Err(expected()) }
+}
+
+/// A point (u, v) of the square, `0.5,0.5`.
+pub(super) fn point(text: &str) -> Result<(f64, f64), String> {
+    let expected = || "expected a point U,V of the unit square, as in 0.5,0.5".to_owned();
+    let (u, v) = text.split_once(',').ok_or_else(expected)?;
+    let read = |text: &str| text.trim().parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));
+    read(u).zip(read(v)).ok_or_else(expected)
+}
+
+/// What a printed decimal spells, and half a unit of its last place.
+pub(super) fn printed(text: &str) -> (BigRational, BigRational) {
+    let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let digits: String = text.chars().filter(|&c| c != '.').collect();
+    let unit = BigRational::new(BigInt::one(), (0..decimals).fold(BigInt::one(), |unit, _| unit * 10));
+    let value = BigRational::from_integer(digits.parse().unwrap_or_default()) * &unit;
+    (value, unit / BigRational::from_integer(2.into()))
+}

@@ -1,0 +1,238 @@
+//! Enclosures, approximations and barriers, for people and as data.
+
+use std::fmt::Write as _;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+use serde_json::{Value, json};
+
+use super::attempt::{Files, wrapped_at};
+use super::json::statement as statement_data;
+use super::mathematics::Notation;
+use crate::approximation::{Barrier, Enclosure};
+use crate::certificate::{Bounds, Quantity, decimal_value, spell_decimal};
+use crate::checker::Theorem;
+use crate::exact::Polynomial;
+use crate::statement::Statement;
+
+/// One end of a printed interval, judged.
+#[derive(Debug, Clone)]
+pub struct EndVerdict {
+    /// The bound as it is printed.
+    pub printed: String,
+    /// `≤` or `≥`.
+    pub relation: &'static str,
+    /// How it comes out.
+    pub finding: Finding,
+}
+
+/// How a printed bound comes out.
+#[derive(Debug, Clone)]
+pub enum Finding {
+    /// It is a bound as it stands.
+    Bound,
+    /// It is one to the digits printed: the true bound lies beyond it by at most half a unit of its last place.
+    Rounded,
+    /// It is none: at this point the quantity is this, cut off.
+    Fails {
+        /// (u, v).
+        at: [BigRational; 2],
+        /// The quantity there.
+        value: String,
+    },
+    /// The true bound agrees with it to all places that were computed.
+    Open,
+}
+
+/// `r` or `F/W²`.
+pub fn symbol(quantity: Quantity, degree: u32) -> String {
+    match quantity {
+        Quantity::Radius => "r".to_owned(),
+        Quantity::Ratio => format!("F/W{}", super::mathematics::superscript(degree)),
+    }
+}
+
+/// A decimal with a true minus sign.
+pub fn decimal(units: &BigInt, places: u32) -> String {
+    spell_decimal(units, places).replace('-', "−")
+}
+
+/// A value as people write it: an element of K, or a decimal where the denominator is a power of ten.
+pub fn value_text(statement: &Statement, value: &Polynomial) -> String {
+    let exact = value.as_rational().and_then(|rational| {
+        let places =
+            (1..=40u32).find(|&places| (BigInt::from(10).pow(places) % rational.denom()) == BigInt::ZERO)?;
+        let units = &rational * BigRational::from_integer(BigInt::from(10).pow(places));
+        (rational.denom() > &BigInt::one()).then(|| (units, places))
+    });
+    match exact {
+        Some((units, places)) => decimal(&units.to_integer(), places),
+        None => Notation::new(statement.ring()).polynomial(value),
+    }
+}
+
+/// `LOW ≤ r ≤ HIGH`.
+pub fn enclosure_text(bounds: &Bounds, degree: u32) -> String {
+    let [low, high] = [&bounds.lower, &bounds.upper].map(|end| decimal(&end.bound, bounds.places));
+    format!("{low} ≤ {} ≤ {high}", symbol(bounds.quantity, degree))
+}
+
+/// Everything below the verdict.
+pub fn enclosure_details(statement: &Statement, enclosure: &Enclosure, degree: u32) -> String {
+    let bounds = &enclosure.bounds;
+    let mut text = String::new();
+    for (name, value) in statement.unknowns().iter().zip(&bounds.values) {
+        let _ = writeln!(text, "   {name} = {}", value_text(statement, value));
+    }
+    if !bounds.values.is_empty() {
+        text.push('\n');
+    }
+    let symbol = symbol(bounds.quantity, degree);
+    for (name, end, inwards) in [("least", &bounds.lower, 1), ("greatest", &bounds.upper, -1)] {
+        let [low, high] =
+            [end.bound.clone(), &end.bound + inwards].map(|units| decimal(&units, bounds.places));
+        let (low, high) = if inwards > 0 { (low, high) } else { (high, low) };
+        let _ = writeln!(
+            text,
+            "   {:<14} between {low} and {high}, near (u, v) = ({}, {})",
+            format!("{name} {symbol}"),
+            end.at[0],
+            end.at[1]
+        );
+    }
+    if bounds.quantity == Quantity::Radius {
+        let [low, high] = squares(bounds);
+        let _ = writeln!(text, "   {:<14} between {low} and {high}", "r² − 1");
+    }
+    let count = |tree: &[bool]| tree.iter().filter(|halved| !**halved).count();
+    let _ = writeln!(
+        text,
+        "\nProof\n   Boxes of the unit square on which the Bernstein coefficients have one sign:\n   \
+         {} for W > 0, {} for the lower bound, {} for the upper one.",
+        count(&bounds.denominator),
+        count(&bounds.lower.tree),
+        count(&bounds.upper.tree)
+    );
+    text
+}
+
+/// r² − 1 to the places of r, rounded outwards.
+fn squares(bounds: &Bounds) -> [String; 2] {
+    let unit = BigRational::from_integer(BigInt::from(10).pow(bounds.places));
+    let square = |units: &BigInt| {
+        let value = decimal_value(units, bounds.places);
+        (&value * &value - BigRational::one()) * &unit
+    };
+    let low = square(&bounds.lower.bound).floor().to_integer();
+    let high = square(&bounds.upper.bound).ceil().to_integer();
+    [low, high].map(|units| decimal(&units, bounds.places))
+}
+
+/// The judgement of a printed interval.
+pub fn verdict_text(verdicts: &[EndVerdict], symbol: &str) -> String {
+    let mut text = String::new();
+    for EndVerdict { printed, relation, finding } in verdicts {
+        let claim = format!("{symbol} {relation} {printed}");
+        let _ = match finding {
+            Finding::Bound => writeln!(text, "   {claim}   holds on the whole patch"),
+            Finding::Rounded => writeln!(text, "   {claim}   holds on the whole patch to the digits printed"),
+            Finding::Fails { at: [u, v], value } => {
+                writeln!(text, "   {claim}   FAILS: at (u, v) = ({u}, {v}) {symbol} = {value}…")
+            }
+            Finding::Open => writeln!(
+                text,
+                "   {claim}   open: equal to all places computed; a smaller --tolerance may tell"
+            ),
+        };
+    }
+    text
+}
+
+/// What the checker says of the files.
+pub fn checked_text(theorem: &Theorem, files: &Files) -> String {
+    format!(
+        "\nVerdict of the independent checker, on the files below\n{}\n\nStatement    {}\nCertificate  {}\n",
+        wrapped_at(&format!("VERIFIED. {}", theorem.sentence()), 3),
+        files.statement.display(),
+        files.certificate.display()
+    )
+}
+
+/// An enclosure as data.
+pub fn enclosure_data(statement: &Statement, enclosure: &Enclosure, files: Option<&Files>) -> Value {
+    let bounds = &enclosure.bounds;
+    let ring = statement.ring();
+    let values: Vec<Value> = statement
+        .unknowns()
+        .iter()
+        .zip(&bounds.values)
+        .map(|(name, value)| json!({ "unknown": name, "value": ring.spell(value) }))
+        .collect();
+    let point = |at: &[BigRational; 2]| json!([at[0].to_string(), at[1].to_string()]);
+    let count = |tree: &[bool]| tree.iter().filter(|halved| !**halved).count();
+    json!({
+        "statement": statement_data(statement),
+        "values": values,
+        "quantity": match bounds.quantity { Quantity::Radius => "radius", Quantity::Ratio => "ratio" },
+        "places": bounds.places,
+        "lower": { "bound": spell_decimal(&bounds.lower.bound, bounds.places), "near": point(&bounds.lower.at) },
+        "upper": { "bound": spell_decimal(&bounds.upper.bound, bounds.places), "near": point(&bounds.upper.at) },
+        "boxes": { "denominator": count(&bounds.denominator), "lower": count(&bounds.lower.tree), "upper": count(&bounds.upper.tree) },
+        "theorem": enclosure.theorem.sentence(),
+        "certificate": files.map(|files| files.certificate.display().to_string()),
+    })
+}
+
+/// The verdicts on a printed interval as data.
+pub fn verdict_data(verdicts: &[EndVerdict]) -> Value {
+    let one = |verdict: &EndVerdict| {
+        let (finding, at, value) = match &verdict.finding {
+            Finding::Bound => ("holds", None, None),
+            Finding::Rounded => ("holds to the digits printed", None, None),
+            Finding::Fails { at, value } => {
+                ("fails", Some(at.each_ref().map(ToString::to_string)), Some(value))
+            }
+            Finding::Open => ("open", None, None),
+        };
+        json!({ "printed": verdict.printed, "relation": verdict.relation, "finding": finding, "at": at, "value": value })
+    };
+    verdicts.iter().map(one).collect()
+}
+
+/// That no values do better.
+pub fn barrier_text(barrier: &Barrier, error: &str, within: &str) -> String {
+    format!(
+        "\nNo values do better than {error}, up to {within} of it: proved on {} boxes of all values of the unknowns.\n",
+        barrier.boxes
+    )
+}
+
+/// 1.234·10⁻⁵ for a small number.
+pub fn scientific(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let text = format!("{value:.digits$e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let raised: String = exponent
+        .chars()
+        .map(|c| {
+            if c == '-' {
+                '⁻'
+            } else {
+                "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(c as usize - '0' as usize).unwrap_or(c)
+            }
+        })
+        .collect();
+    if raised == "⁰" {
+        mantissa.replace('-', "−")
+    } else {
+        format!("{}·10{raised}", mantissa.replace('-', "−"))
+    }
+}
+
+/// A bound on the error, in units of the last place, as a number.
+pub fn error_value(units: &BigInt, places: u32) -> f64 {
+    num_traits::ToPrimitive::to_f64(&decimal_value(&units.abs(), places)).unwrap_or(f64::NAN)
+}
