@@ -1,5 +1,7 @@
 //! Proved enclosures: between which decimals the radius of a patch lies, with a certificate.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
@@ -7,10 +9,11 @@ use num_traits::{One, Signed};
 use super::boxes::Coefficients;
 use super::extreme::{Extreme, largest};
 use super::fixed::fixed;
+use super::point::compare_at;
 use super::tree::{NoTree, tree};
 use crate::algebra::{FieldElement, Integer, MultiquadraticField};
 use crate::bezier::{BernsteinForm, binomial, surface_condition};
-use crate::certificate::{Argument, Bounds, Certificate, End, Quantity, Side, Units};
+use crate::certificate::{Argument, Bounds, Certificate, End, Quantity, Side, Units, decimal_value};
 use crate::checker::{CheckError, Rejection, Theorem, check_read};
 use crate::elimination::{Control, Interrupted};
 use crate::exact::{self, Limit, Polynomial, Work};
@@ -29,6 +32,8 @@ const FINER: u32 = 12;
 pub struct Enclosure {
     /// The bounds.
     pub bounds: Bounds,
+    /// Whether the quantity is the lower, and the upper, bound at the stated points.
+    pub attained: [bool; 2],
     /// The certificate.
     pub certificate: Certificate,
     /// What the checker made of it.
@@ -43,7 +48,9 @@ pub enum EnclosureError {
     #[error("a system of equations has no patch to bound")]
     NotAPatch,
     /// The denominator is not positive.
-    #[error("the denominator W of the patch is {} at u = {u}, v = {v}, expected positive on the whole square: it is {corner} in the corner u = v = 0", if *zero { "0" } else { "negative" }, corner = if *vanishes { "positive, so that it vanishes in between" } else { "not positive either" })]
+    #[error("the denominator W of the patch is {} at u = {u}, v = {v}, expected positive on the whole square{}",
+        if *zero { "0" } else { "negative" },
+        if *vanishes { "; it is positive at u = v = 0, so that it vanishes in between" } else { "" })]
     Denominator {
         /// The place.
         u: BigRational,
@@ -100,7 +107,14 @@ pub fn enclose(
         let argument = Argument::Bounds(bounds.clone());
         let certificate = Certificate { statement: statement.hash(), argument };
         match check_read(statement, &certificate) {
-            Ok(theorem) => return Ok(Enclosure { bounds, certificate, theorem }),
+            Ok(theorem) => {
+                let attains = |end: &End| {
+                    let bound = decimal_value(&end.bound, places);
+                    compare_at(statement, values, &end.at, &bound).map(Ordering::is_eq)
+                };
+                let attained = [attains(&bounds.lower)?, attains(&bounds.upper)?];
+                return Ok(Enclosure { bounds, attained, certificate, theorem });
+            }
             // The extreme lies next to a decimal: its place must be known better.
             Err(CheckError::Rejected(Rejection::NotReached { .. })) if finer + 24 < SPARE => finer += 24,
             Err(error) => return Err(EnclosureError::Refused(error)),

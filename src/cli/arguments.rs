@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::approximate::{self, ApproximateOptions};
 use super::audit::{self, AuditOptions};
 use super::bound::{self, BoundOptions};
 use super::control::Limits;
@@ -78,6 +79,8 @@ enum Command {
     Audit(AuditOptions),
     /// Enclose the radius over the whole patch, with a proof, at given values of the unknowns.
     Bound(BoundOptions),
+    /// Find the best values of the unknowns, and enclose the radius there, with a proof.
+    Approximate(ApproximateOptions),
     /// List the built-in statements.
     List,
 }
@@ -142,6 +145,7 @@ pub fn run() -> Result<Outcome, Failure> {
         }
         Some(Command::Audit(options)) => audit::run(&options, format),
         Some(Command::Bound(options)) => bound::run(&options, format),
+        Some(Command::Approximate(options)) => approximate::run(&options, format),
         Some(Command::List) => list::run(format),
     }
 }

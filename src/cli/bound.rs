@@ -139,8 +139,9 @@ pub(super) fn judge(
             Finding::Rounded
         } else {
             // The quantity comes within a unit of the bound.
-            let limit = &value + &half * &sign;
             if beyond > &half + &unit {
+                // Not just outside: half way to the true bound at least.
+                let limit = (&value + &proved) / BigRational::from_integer(2.into());
                 let at = simple_point_beyond(statement, &bounds.values, side, &limit, &end.at)
                     .map_err(Failure::of)?;
                 let places = bounds.places;

@@ -4,6 +4,8 @@ pub mod check;
 pub mod outcome;
 
 #[cfg(feature = "prover")]
+mod approximate;
+#[cfg(feature = "prover")]
 mod arguments;
 #[cfg(feature = "prover")]
 mod audit;

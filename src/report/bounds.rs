@@ -89,17 +89,20 @@ pub fn enclosure_details(statement: &Statement, enclosure: &Enclosure, degree: u
         text.push('\n');
     }
     let symbol = symbol(bounds.quantity, degree);
-    for (name, end, inwards) in [("least", &bounds.lower, 1), ("greatest", &bounds.upper, -1)] {
+    let [low_attained, high_attained] = enclosure.attained;
+    let ends = [("least", &bounds.lower, 1, low_attained), ("greatest", &bounds.upper, -1, high_attained)];
+    for (name, end, inwards, attained) in ends {
         let [low, high] =
             [end.bound.clone(), &end.bound + inwards].map(|units| decimal(&units, bounds.places));
         let (low, high) = if inwards > 0 { (low, high) } else { (high, low) };
-        let _ = writeln!(
-            text,
-            "   {:<14} between {low} and {high}, near (u, v) = ({}, {})",
-            format!("{name} {symbol}"),
-            end.at[0],
-            end.at[1]
-        );
+        let name = format!("{name} {symbol}");
+        let [u, v] = end.at.each_ref().map(parameter);
+        let _ = match attained {
+            true => {
+                writeln!(text, "   {name:<14} {}, at (u, v) = ({u}, {v})", decimal(&end.bound, bounds.places))
+            }
+            false => writeln!(text, "   {name:<14} between {low} and {high}, near (u, v) = ({u}, {v})"),
+        };
     }
     if bounds.quantity == Quantity::Radius {
         let [low, high] = squares(bounds);
@@ -115,6 +118,14 @@ pub fn enclosure_details(statement: &Statement, enclosure: &Enclosure, degree: u
         count(&bounds.upper.tree)
     );
     text
+}
+
+/// A simple fraction as it is, another in six decimals (the certificate has it exactly).
+fn parameter(x: &BigRational) -> String {
+    match *x.denom() < BigInt::from(1000) {
+        true => x.to_string(),
+        false => format!("{:.6}", num_traits::ToPrimitive::to_f64(x).unwrap_or(f64::NAN)),
+    }
 }
 
 /// r² − 1 to the places of r, rounded outwards.

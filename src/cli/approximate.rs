@@ -1,0 +1,251 @@
+//! `prove-cap approximate NAME|FILE`: best values of the unknowns, enclosed, and if asked for proved best.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use num_bigint::BigInt;
+use num_traits::ToPrimitive;
+
+use super::arguments::{Format, to_json};
+use super::bound::{degree_of, undecided};
+use super::control::{Limits, under_control};
+use super::files::{sealed_name, write_and_check};
+use super::outcome::{Failure, Outcome, Status};
+use super::source::Source;
+use super::values::{point, tolerance};
+use crate::approximation::{
+    Approximation, ApproximationError, Barrier, Objective, Search, UnreachableError, approximate, error_of,
+    exclude,
+};
+use crate::elimination::Control;
+use crate::report::Files;
+use crate::report::bounds::{
+    barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, error_value, scientific,
+    symbol,
+};
+
+/// How near to the best the proof that nothing is better must come.
+const WITHIN: f64 = 1e-6;
+/// Places of the bounds that no values reach: relative to the error, this many digits.
+const DIGITS: u32 = 9;
+
+#[derive(Debug, Args)]
+pub(super) struct ApproximateOptions {
+    /// A built-in statement (see `list`) or a statement file.
+    #[arg(value_name = "NAME|FILE")]
+    source: PathBuf,
+    /// What is to be smallest.
+    #[arg(long, value_enum, default_value_t = ObjectiveName::Minimax)]
+    objective: ObjectiveName,
+    /// For least squares: sample points each way.
+    #[arg(long, value_name = "N", default_value_t = 101, value_parser = clap::value_parser!(u16).range(2..=1001))]
+    points: u16,
+    /// For least squares: a point of the square where the patch is to lie on the surface; may be repeated.
+    #[arg(long, value_name = "U,V", value_parser = point)]
+    pass: Vec<(f64, f64)>,
+    /// How near the bounds are to the true extremes.
+    #[arg(long, value_name = "SIZE", default_value = "1e-12", value_parser = tolerance)]
+    tolerance: u32,
+    /// For minimax: prove that no values of the unknowns do better, up to a millionth of the error.
+    #[arg(long)]
+    prove_best: bool,
+    /// Where the random starts of the search begin; the result hardly ever depends on it.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Where statement.toml and the certificates are written [default: proofs/NAME].
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    limits: Limits,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ObjectiveName {
+    /// The sum of (r² − 1)² over the sample points (the paper's Eq. 17).
+    LeastSquares,
+    /// The largest |r − 1|.
+    Minimax,
+    /// The largest r, with r ≥ 1 everywhere.
+    Outer,
+    /// The largest 1 − r, with r ≤ 1 everywhere.
+    Inner,
+    /// The largest r minus the smallest.
+    Width,
+}
+
+impl From<ObjectiveName> for Objective {
+    fn from(name: ObjectiveName) -> Self {
+        match name {
+            ObjectiveName::LeastSquares => Objective::LeastSquares,
+            ObjectiveName::Minimax => Objective::Minimax,
+            ObjectiveName::Outer => Objective::Outer,
+            ObjectiveName::Inner => Objective::Inner,
+            ObjectiveName::Width => Objective::Width,
+        }
+    }
+}
+
+pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcome, Failure> {
+    let source = Source::find(&options.source)?;
+    let degree = degree_of(&source.statement)?;
+    let objective = Objective::from(options.objective);
+    if options.prove_best && objective != Objective::Minimax {
+        return Err(Failure("--prove-best is for --objective minimax".to_owned()));
+    }
+    let squares = objective == Objective::LeastSquares;
+    if !options.pass.is_empty() && !squares {
+        return Err(Failure("--pass is for --objective least-squares".to_owned()));
+    }
+    let search = Search {
+        objective,
+        points: usize::from(options.points),
+        pass: options.pass.clone(),
+        places: options.tolerance,
+        seed: options.seed,
+    };
+    let found = under_control(&options.limits, |control| {
+        let found = approximate(&source.statement, &search, control)?;
+        let barrier = options.prove_best.then(|| barrier(&source, &found, control));
+        Ok::<_, ApproximationError>((found, barrier))
+    })?;
+    let (found, barrier) = match found {
+        Ok(found) => found,
+        Err(ApproximationError::Enclosure(error)) => return undecided(&source.name, &error, format),
+        Err(ApproximationError::Interrupted(why)) => {
+            return undecided(&source.name, &crate::approximation::EnclosureError::Interrupted(why), format);
+        }
+        Err(error) => return Err(Failure(format!("{}: {error}", source.name))),
+    };
+    let (barrier, open) = match barrier {
+        None => (None, None),
+        Some(Ok(barrier)) => (Some(barrier), None),
+        Some(Err(UnreachableError::Refused(error))) => return Err(Failure::of(error)),
+        Some(Err(error)) => (None, Some(error.to_string())),
+    };
+    let write = |kind: &str, certificate: &crate::certificate::Certificate| {
+        let text = certificate.write(&source.statement.ring());
+        write_and_check(&source, options.output.as_deref(), &text, &sealed_name(kind, &text))
+    };
+    let files = write("bounds", &found.enclosure.certificate)?;
+    let barrier =
+        barrier.map(|barrier| Ok((write("unreachable", &barrier.certificate)?, barrier))).transpose()?;
+    let status = if open.is_some() { Status::Undecided } else { Status::Established };
+    let answer = Answer { source: &source, options, degree, found, files, barrier, open };
+    let text = match format {
+        Format::Json => to_json(&answer.data())?,
+        Format::Text | Format::Latex => answer.text(),
+    };
+    Ok(Outcome { text, status })
+}
+
+/// Bounds a millionth tighter than what was found, which no values reach.
+fn barrier(
+    source: &Source,
+    found: &Approximation,
+    control: &Control<'_>,
+) -> Result<Barrier, UnreachableError> {
+    let error = found.extremes.iter().map(|place| place.value.abs()).fold(0.0, f64::max);
+    let places = (-error.log10()).ceil().max(0.0) as u32 + DIGITS;
+    let unit = BigInt::from(10).pow(places);
+    let size = BigInt::from((error * (1.0 - WITHIN) * unit.to_f64().unwrap_or(f64::INFINITY)) as i128);
+    let centre = match found.enclosure.bounds.quantity {
+        crate::certificate::Quantity::Radius => unit,
+        crate::certificate::Quantity::Ratio => BigInt::ZERO,
+    };
+    let worst: Vec<_> =
+        found.extremes.iter().filter(|place| place.value.abs() > 0.5 * error).copied().collect();
+    exclude(&source.statement, [&centre - &size, &centre + &size], places, &worst, control)
+}
+
+struct Answer<'a> {
+    source: &'a Source,
+    options: &'a ApproximateOptions,
+    degree: u32,
+    found: Approximation,
+    files: Files,
+    barrier: Option<(Files, Barrier)>,
+    /// Why it is not proved that nothing is better.
+    open: Option<String>,
+}
+
+impl Answer<'_> {
+    fn word(&self) -> &'static str {
+        if self.open.is_some() { "UNDECIDED" } else { "PROVED" }
+    }
+
+    /// max |r − 1| as the bounds have it.
+    fn error(&self) -> String {
+        let bounds = &self.found.enclosure.bounds;
+        scientific(error_value(&error_of(&self.found.enclosure), bounds.places), 4)
+    }
+
+    fn text(&self) -> String {
+        let (enclosure, statement) = (&self.found.enclosure, &self.source.statement);
+        let symbol = symbol(enclosure.bounds.quantity, self.degree);
+        let objective = match self.options.objective {
+            ObjectiveName::LeastSquares => {
+                let (n, symbol) = (self.options.points, if symbol == "r" { "r² − 1" } else { &symbol });
+                format!("least squares of {symbol} over {n} × {n} points")
+            }
+            ObjectiveName::Minimax if symbol == "r" => "smallest max |r − 1|".to_owned(),
+            ObjectiveName::Minimax => format!("smallest max |{symbol}|"),
+            ObjectiveName::Outer if symbol == "r" => "smallest max r with r ≥ 1".to_owned(),
+            ObjectiveName::Outer => format!("smallest max {symbol} with {symbol} ≥ 0"),
+            ObjectiveName::Inner if symbol == "r" => "largest min r with r ≤ 1".to_owned(),
+            ObjectiveName::Inner => format!("largest min {symbol} with {symbol} ≤ 0"),
+            ObjectiveName::Width => format!("smallest max {symbol} − min {symbol}"),
+        };
+        let mut text = format!(
+            "{}  {}: {} on the whole patch\n\n{}\n{objective}",
+            self.word(),
+            self.source.name,
+            enclosure_text(&enclosure.bounds, self.degree),
+            statement.title()
+        );
+        if let Some(why) = &self.open {
+            text = format!(
+                "UNDECIDED  {}: that no values do better than {} is not proved: {why}\n\nProved: {} on the whole patch\n{}\n{objective}",
+                self.source.name,
+                self.error(),
+                enclosure_text(&enclosure.bounds, self.degree),
+                statement.title()
+            );
+        }
+        text += if self.found.recognised {
+            ", at values that were recognised as elements of K\n\n"
+        } else {
+            ", at values rounded to 15 decimals\n\n"
+        };
+        text += &enclosure_details(statement, enclosure, self.degree);
+        if let Some((_, barrier)) = &self.barrier {
+            text += &barrier_text(barrier, &self.error(), "a millionth");
+        }
+        text += &checked_text(&enclosure.theorem, &self.files);
+        if let Some((files, barrier)) = &self.barrier {
+            text += &checked_text(&barrier.theorem, files);
+        }
+        text
+    }
+
+    fn data(&self) -> serde_json::Value {
+        let mut data = enclosure_data(&self.source.statement, &self.found.enclosure, Some(&self.files));
+        data["verdict"] = self.word().into();
+        data["name"] = self.source.name.clone().into();
+        data["objective"] =
+            self.options.objective.to_possible_value().map(|value| value.get_name().to_owned()).into();
+        data["recognised"] = self.found.recognised.into();
+        data["found"] = self.found.found.clone().into();
+        if let Some((files, barrier)) = &self.barrier {
+            data["best"] = serde_json::json!({
+                "within": WITHIN,
+                "boxes": barrier.boxes,
+                "theorem": barrier.theorem.sentence(),
+                "certificate": files.certificate.display().to_string(),
+            });
+        }
+        if let Some(why) = &self.open {
+            data["open"] = why.clone().into();
+        }
+        data
+    }
+}
