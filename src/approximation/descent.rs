@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 use microlp::{ComparisonOp, OptimizationDirection, Problem};
 
 use super::extremes::{Place, local_extremes};
-use super::model::{Fitted, Model};
+use super::model::{Deviation, Fitted, Model};
 use super::objective::{Objective, PENALTY};
 use crate::elimination::{Control, Interrupted};
 
@@ -30,7 +30,7 @@ pub(super) fn descend(
     let mut radius = 0.05;
     let mut points: VecDeque<Vec<Place>> = VecDeque::new();
     let mut extremes = local_extremes(&model.at(&values), GRID);
-    let mut merit = objective.of(&extremes);
+    let mut merit = objective.of(&extremes) + beside(&model.at(&values), objective);
     for _ in 0..ROUNDS {
         control.check()?;
         points.push_front(extremes.clone());
@@ -48,7 +48,7 @@ pub(super) fn descend(
         let length = step.iter().fold(0.0f64, |length, dx| length.max(dx.abs()));
         let next = model.at(&moved);
         let found = local_extremes(&next, GRID);
-        let reached = objective.of(&found);
+        let reached = objective.of(&found) + beside(&next, objective);
         // Not a number: the step went through a zero of the denominator.
         if reached < merit && next.smallest_weight(GRID) > 0.0 {
             let gain = (merit - reached) / merit;
@@ -110,7 +110,32 @@ fn linear_step(
             problem.add_constraint(&row, ComparisonOp::Ge, sign * deviation.value / scale);
         }
     }
+    for (deviation, sign) in edges(fitted, objective) {
+        // sign·(value + slopes·step) ≥ 0, but for what is paid for.
+        let side = if objective == Objective::Outer { below } else { above };
+        let slopes =
+            unknowns.iter().zip(&deviation.gradient).map(|(&x, slope)| (x, sign * slope * unit / scale));
+        let row: Vec<_> =
+            [(side, 1.0)].into_iter().chain(slopes.filter(|(_, slope)| slope.abs() > 1e-7)).collect();
+        problem.add_constraint(&row, ComparisonOp::Ge, -sign * deviation.value / scale);
+    }
     let solution = problem.solve().ok()?.into_solution().ok()?;
     let step: Vec<f64> = unknowns.iter().map(|&x| solution.var_value(x) * unit).collect();
     step.iter().all(|dx| dx.is_finite()).then_some(step)
+}
+
+/// What must not be negative beside the edges, times the sign.
+fn edges(fitted: &Fitted<'_>, objective: Objective) -> Vec<(Deviation, f64)> {
+    let sign = match objective {
+        Objective::Outer => 1.0,
+        Objective::Inner => -1.0,
+        Objective::LeastSquares | Objective::Minimax | Objective::Width => return Vec::new(),
+    };
+    fitted.beside_the_edges(GRID / 4).into_iter().map(|deviation| (deviation, sign)).collect()
+}
+
+/// The penalty for being on the wrong side beside the edges, where the deviation itself is too small to show it.
+fn beside(fitted: &Fitted<'_>, objective: Objective) -> f64 {
+    let wrong = edges(fitted, objective).into_iter().map(|(deviation, sign)| -sign * deviation.value);
+    PENALTY * wrong.fold(0.0, f64::max)
 }

@@ -25,7 +25,7 @@ const BOXES: usize = 200_000;
 /// Bits beyond those that the decimals need: for the rounding of the subdivision, and for the places of the extremes.
 const SPARE: u32 = 96;
 /// By how many bits the extremes are known better than one unit of the last decimal.
-const FINER: u32 = 12;
+const FINER: u32 = 2;
 
 /// Bounds with their certificate, accepted by the checker.
 #[derive(Debug, Clone)]
@@ -116,7 +116,7 @@ pub fn enclose(
                 return Ok(Enclosure { bounds, attained, certificate, theorem });
             }
             // The extreme lies next to a decimal: its place must be known better.
-            Err(CheckError::Rejected(Rejection::NotReached { .. })) if finer + 24 < SPARE => finer += 24,
+            Err(CheckError::Rejected(Rejection::NotReached { .. })) if finer + 16 < SPARE / 2 => finer += 16,
             Err(error) => return Err(EnclosureError::Refused(error)),
         }
     }
@@ -221,7 +221,7 @@ impl Scene {
         let denominator = self.power.iter().map(|value| fixed(value, bits)).collect();
         let [numerator, denominator] =
             [numerator, denominator].map(|values| Coefficients { bidegree: self.bidegree, values });
-        let slack = Integer::one().shifted_left((SPARE - finer).max(SPARE / 4));
+        let slack = Integer::one().shifted_left(SPARE - finer);
         let extreme = largest(numerator, denominator, bits, &slack, BOXES, control).map_err(failed)?;
         let Extreme { corner, depths, value } = extreme;
         let at = [(corner.0, depths.0), (corner.1, depths.1)].map(rational);

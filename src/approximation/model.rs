@@ -170,6 +170,31 @@ impl Fitted<'_> {
         Deviation { value: ratio, gradient }
     }
 
+    /// Where F vanishes on the whole boundary of the square, whatever the unknowns: F/(u(1−u)v(1−v)) at so many points of each edge.
+    /// Its sign is that of F nearby.
+    pub fn beside_the_edges(&self, intervals: usize) -> Vec<Deviation> {
+        let form = &self.model.surface;
+        let (m, n) = form.bidegree;
+        let place = |r: usize, s: usize| r * (n + 1) + s;
+        let inner = |r: usize, s: usize| (1..m).contains(&r) && (1..n).contains(&s);
+        let edge = iproduct!(0..=m, 0..=n).filter(|&(r, s)| !inner(r, s));
+        if m < 2 || n < 2 || edge.into_iter().any(|(r, s)| !form.coefficients[place(r, s)].is_empty()) {
+            return Vec::new();
+        }
+        let reduced = Form { bidegree: (m - 2, n - 2), coefficients: Vec::new() };
+        let pick =
+            |all: &Vec<f64>| -> Vec<f64> { iproduct!(1..m, 1..n).map(|(r, s)| all[place(r, s)]).collect() };
+        let parts: Vec<Vec<f64>> = self.surface.iter().map(pick).collect();
+        let at = |i: usize| i as f64 / intervals as f64;
+        let points = (0..=intervals).flat_map(|i| [(at(i), 0.0), (at(i), 1.0), (0.0, at(i)), (1.0, at(i))]);
+        let values = points.map(|(u, v)| {
+            let basis = reduced.basis(u, v);
+            let mut values = parts.iter().map(|part| reduced.value(part, &basis));
+            Deviation { value: values.next().unwrap_or(0.0), gradient: values.collect() }
+        });
+        values.collect()
+    }
+
     /// The smallest W on a grid of so many intervals each way.
     pub fn smallest_weight(&self, intervals: usize) -> f64 {
         let at = |i: usize| i as f64 / intervals as f64;

@@ -18,7 +18,7 @@ pub enum Objective {
 }
 
 /// How much worse it is to be on the wrong side by some amount than to be off by it.
-pub(super) const PENALTY: f64 = 16.0;
+pub(super) const PENALTY: f64 = 1000.0;
 
 impl Objective {
     /// What is minimised, from the largest d and the largest −d.
