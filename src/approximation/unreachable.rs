@@ -171,12 +171,13 @@ fn samples(extremes: &[Place]) -> Vec<[Odds; 2]> {
     let mut samples = Vec::new();
     for place in extremes {
         let [u, v] = [place.u, place.v].map(|x| (x * FINE).round() as i64);
-        let inside = |x: i64| x > 0 && x < FINE as i64;
+        // At x = 1 the odds are infinite.
+        let inside = |x: i64| x >= 0 && x < FINE as i64;
         if inside(u) && inside(v) {
             samples.push([odds(u, FINE as i64), odds(v, FINE as i64)]);
         }
     }
-    for (i, j) in itertools::iproduct!(1..GRID, 1..GRID) {
+    for (i, j) in itertools::iproduct!(0..GRID, 0..GRID) {
         samples.push([odds(i, GRID), odds(j, GRID)]);
     }
     for power in -6..=4i32 {

@@ -4,6 +4,7 @@
 //! control point of theirs is typed in. The positive controls are files.
 
 mod cap;
+mod exact;
 mod family;
 mod parts;
 mod spell;
@@ -28,6 +29,7 @@ pub struct Entry {
 enum Kind {
     Cap(Cap),
     File(&'static str),
+    Exact,
 }
 
 const fn free(name: &'static str, summary: &'static str, m: u32, n: u32, symmetry: Symmetry) -> Entry {
@@ -60,6 +62,21 @@ pub const ENTRIES: &[Entry] = &[
     free("cap-4x3", "bidegree (4,3), no symmetry, standard edges", 4, 3, Symmetry::None),
     free("cap-4x4-d4", "biquartic with the symmetry of the square, standard edges", 4, 4, Symmetry::D4),
     Entry {
+        name: "cap-2x2-free",
+        summary: "biquadratic with the symmetry of the square, edges free in the planes between the faces",
+        kind: Kind::File(include_str!("statements/cap-2x2-free.toml")),
+    },
+    Entry {
+        name: "cap-2x2-polynomial",
+        summary: "polynomial biquadratic with the symmetry of the square, corners on the sphere",
+        kind: Kind::File(include_str!("statements/cap-2x2-polynomial.toml")),
+    },
+    Entry {
+        name: "cap-4x2-exact",
+        summary: "positive control: bidegree (4,2), the cap exactly, its edges parametrised otherwise",
+        kind: Kind::Exact,
+    },
+    Entry {
         name: "cobb",
         summary: "positive control: Cobb's biquartic patch of the cap, its edges parametrised otherwise",
         kind: Kind::File(include_str!("statements/cobb.toml")),
@@ -82,6 +99,7 @@ impl Entry {
         match self.kind {
             Kind::Cap(cap) => cap.statement(),
             Kind::File(text) => text.to_owned(),
+            Kind::Exact => exact::statement(),
         }
     }
 
