@@ -6,6 +6,7 @@
 mod best;
 mod boxes;
 mod chart;
+mod claim;
 mod descent;
 mod enclosure;
 mod extreme;
@@ -16,14 +17,17 @@ mod objective;
 mod point;
 mod polish;
 mod recognise;
+mod seam;
 mod start;
 mod tree;
 mod unreachable;
 
 pub use best::{Approximation, ApproximationError, Search, approximate, approximately, error_of};
+pub use claim::{EndVerdict, Finding, judge};
 pub use enclosure::{Enclosure, EnclosureError, enclose, patch_at, quantity_of};
 pub use extremes::{Place, local_extremes};
 pub use model::{Deviation, Fitted, Model};
 pub use objective::Objective;
 pub use point::{compare_at, decimal_at, simple_point_beyond};
+pub use seam::{FloatPatch, Seams};
 pub use unreachable::{Barrier, UnreachableError, exclude};

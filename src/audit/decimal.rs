@@ -56,16 +56,6 @@ pub fn decimal(exact: &Polynomial, places: u32, field: &Radicands) -> Result<Str
     Ok(spelled(&largest(below)?, places, negative))
 }
 
-/// The decimal of the square root of a constant of K that is not negative, cut off after some places.
-pub(super) fn decimal_of_root(square: &Polynomial, places: u32, field: &Radicands) -> Result<String, Limit> {
-    let unit = BigInt::from(10).pow(places);
-    let below = |n: &BigInt| {
-        let bound = BigRational::new(n * n, &unit * &unit);
-        Ok(compare(square, &bound, field)? != Ordering::Less)
-    };
-    Ok(spelled(&largest(below)?, places, false))
-}
-
 /// The largest n ≥ 0 for which a decreasing property holds; it holds for 0.
 fn largest(holds: impl Fn(&BigInt) -> Result<bool, Limit>) -> Result<BigInt, Limit> {
     let mut high = BigInt::one();

@@ -103,6 +103,26 @@ impl BernsteinForm {
     }
 }
 
+/// The value of a form with constant coefficients at a point.
+pub fn value_at(form: &BernsteinForm, u: &FieldElement, v: &FieldElement) -> Option<FieldElement> {
+    let (m, n) = form.bidegree();
+    let field = form.field();
+    let powers = |x: &FieldElement, degree: u32| -> Vec<FieldElement> {
+        let complement = &field.one() - x;
+        let power = |base: &FieldElement, exponent: u32| {
+            (0..exponent).fold(field.one(), |product, _| &product * base)
+        };
+        (0..=degree).map(|r| &power(x, r) * &power(&complement, degree - r)).collect()
+    };
+    let (of_u, of_v) = (powers(u, m), powers(v, n));
+    let mut sum = field.zero();
+    for (r, s, value) in form.coefficients() {
+        let basis = &of_u[r as usize] * &of_v[s as usize];
+        sum = &sum + &(&Polynomial::as_constant(value)? * &basis);
+    }
+    Some(sum)
+}
+
 /// The binomial coefficient C(n, k).
 pub fn binomial(n: u32, k: u32) -> Integer {
     (0..k).fold(Integer::one(), |c, i| (&c * &Integer::from(n - i)).exact_quotient(&Integer::from(i + 1)))

@@ -9,6 +9,7 @@ use super::audit::{self, AuditOptions};
 use super::bound::{self, BoundOptions};
 use super::control::Limits;
 use super::outcome::{Failure, Outcome, Status};
+use super::table::{self, TableOptions};
 use super::{check, expand, list, prove};
 use crate::expand::Basis;
 
@@ -81,6 +82,8 @@ enum Command {
     Bound(BoundOptions),
     /// Find the best values of the unknowns, and enclose the radius there, with a proof.
     Approximate(ApproximateOptions),
+    /// The best patches of the cap, degree by degree, with proved errors, and how six of them fit together.
+    Table(TableOptions),
     /// List the built-in statements.
     List,
 }
@@ -146,6 +149,7 @@ pub fn run() -> Result<Outcome, Failure> {
         Some(Command::Audit(options)) => audit::run(&options, format),
         Some(Command::Bound(options)) => bound::run(&options, format),
         Some(Command::Approximate(options)) => approximate::run(&options, format),
+        Some(Command::Table(options)) => table::run(&options, format),
         Some(Command::List) => list::run(format),
     }
 }

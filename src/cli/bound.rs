@@ -3,19 +3,16 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use num_rational::BigRational;
 
 use super::arguments::{Format, to_json};
 use super::control::{Limits, under_control};
 use super::files::{sealed_name, write_and_check};
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
-use super::values::{interval, printed, tolerance, values};
-use crate::approximation::{Enclosure, EnclosureError, decimal_at, enclose, simple_point_beyond};
-use crate::certificate::{Side, decimal_value};
+use super::values::{interval, tolerance, values};
+use crate::approximation::{EnclosureError, EndVerdict, Finding, enclose, judge};
 use crate::report::bounds::{
-    EndVerdict, Finding, checked_text, decimal, enclosure_data, enclosure_details, enclosure_text, symbol,
-    verdict_data, verdict_text,
+    checked_text, enclosure_data, enclosure_details, enclosure_text, symbol, verdict_data, verdict_text,
 };
 use crate::statement::{Statement, Subject};
 
@@ -54,7 +51,8 @@ pub(super) fn run(options: &BoundOptions, format: Format) -> Result<Outcome, Fai
     let certificate = enclosure.certificate.write(&statement.ring());
     let name = sealed_name("bounds", &certificate);
     let files = write_and_check(&source, options.output.as_deref(), &certificate, &name)?;
-    let verdicts = options.claim.as_ref().map(|claim| judge(statement, &enclosure, claim)).transpose()?;
+    let verdicts = options.claim.as_ref().map(|claim| judge(statement, &enclosure, claim)).transpose();
+    let verdicts = verdicts.map_err(Failure::of)?;
     let fails = |verdict: &EndVerdict| matches!(verdict.finding, Finding::Fails { .. });
     let open = |verdict: &EndVerdict| matches!(verdict.finding, Finding::Open);
     let (word, status) = match &verdicts {
@@ -112,48 +110,4 @@ pub(super) fn undecided(name: &str, error: &EnclosureError, format: Format) -> R
         }
         error => Err(Failure(format!("{name}: {error}"))),
     }
-}
-
-/// Holds a printed interval against proved bounds.
-pub(super) fn judge(
-    statement: &Statement,
-    enclosure: &Enclosure,
-    claim: &[String; 2],
-) -> Result<Vec<EndVerdict>, Failure> {
-    let bounds = &enclosure.bounds;
-    let [least, greatest] =
-        [&bounds.lower.bound, &bounds.upper.bound].map(|units| decimal_value(units, bounds.places));
-    let unit = decimal_value(&1.into(), bounds.places);
-    let ends = [
-        ("≥", Side::Lower, &claim[0], &bounds.lower, least.clone()),
-        ("≤", Side::Upper, &claim[1], &bounds.upper, greatest.clone()),
-    ];
-    let verdicts = ends.map(|(relation, side, text, end, proved)| {
-        let (value, half) = printed(text);
-        // Outwards is positive.
-        let sign = BigRational::from_integer(if side == Side::Upper { 1 } else { -1 }.into());
-        let beyond = (&proved - &value) * &sign;
-        let finding = if beyond <= BigRational::default() {
-            Finding::Bound
-        } else if beyond <= half {
-            Finding::Rounded
-        } else {
-            // The quantity comes within a unit of the bound.
-            if beyond > &half + &unit {
-                // Not just outside: half way to the true bound at least.
-                let limit = (&value + &proved) / BigRational::from_integer(2.into());
-                let at = simple_point_beyond(statement, &bounds.values, side, &limit, &end.at)
-                    .map_err(Failure::of)?;
-                let places = bounds.places;
-                let shown = decimal_at(statement, &bounds.values, &at, places, [&least, &greatest])
-                    .map_err(Failure::of)?;
-                let units = (shown / &unit).to_integer();
-                Finding::Fails { at, value: decimal(&units, places) }
-            } else {
-                Finding::Open
-            }
-        };
-        Ok(EndVerdict { printed: text.clone(), relation, finding })
-    });
-    verdicts.into_iter().collect()
 }

@@ -26,6 +26,8 @@ mod prove;
 #[cfg(feature = "prover")]
 mod source;
 #[cfg(feature = "prover")]
+mod table;
+#[cfg(feature = "prover")]
 mod values;
 
 #[cfg(feature = "prover")]

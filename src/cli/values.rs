@@ -1,9 +1,5 @@
 //! Values of unknowns, tolerances, intervals and points on the command line.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::One;
-
 use super::outcome::Failure;
 use crate::exact::{Polynomial, Work};
 use crate::statement::Statement;
@@ -86,13 +82,4 @@ pub(super) fn point(text: &str) -> Result<(f64, f64), String> {
     let (u, v) = text.split_once(',').ok_or_else(expected)?;
     let read = |text: &str| text.trim().parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));
     read(u).zip(read(v)).ok_or_else(expected)
-}
-
-/// What a printed decimal spells, and half a unit of its last place.
-pub(super) fn printed(text: &str) -> (BigRational, BigRational) {
-    let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let digits: String = text.chars().filter(|&c| c != '.').collect();
-    let unit = BigRational::new(BigInt::one(), (0..decimals).fold(BigInt::one(), |unit, _| unit * 10));
-    let value = BigRational::from_integer(digits.parse().unwrap_or_default()) * &unit;
-    (value, unit / BigRational::from_integer(2.into()))
 }

@@ -70,6 +70,13 @@ pub enum ClaimKind {
         /// The printed bounds.
         interval: (String, String),
     },
+    /// These values of the unknowns keep the distance from the origin nearest to 1: no rival does better on both sides.
+    Unrivalled {
+        /// The values of the unknowns.
+        at: Vec<(Symbol, Expression)>,
+        /// Other values to compare with.
+        rival: Vec<(Symbol, Expression)>,
+    },
     /// A built-in statement comes out as expected.
     Proved {
         /// Its name.
@@ -97,7 +104,7 @@ pub enum Expectation {
     Exact,
 }
 
-const KEYS: [&str; 21] = [
+const KEYS: [&str; 22] = [
     "where",
     "says",
     "remark",
@@ -112,6 +119,7 @@ const KEYS: [&str; 21] = [
     "at",
     "values",
     "radius",
+    "rival",
     "proved",
     "quantity",
     "printed",
@@ -174,6 +182,9 @@ fn kind(table: &Table<'_, '_>) -> Result<ClaimKind, Located> {
         let interval = (decimal(low, "radius")?, decimal(high, "radius")?);
         return Ok(ClaimKind::Radius { at: point(table, "at")?, interval });
     }
+    if table.get("rival").is_some() {
+        return Ok(ClaimKind::Unrivalled { at: point(table, "at")?, rival: point(table, "rival")? });
+    }
     if let Some(statement) = table.string("proved")? {
         let expected = match table.string("expected")? {
             Some("impossible") => Expectation::Impossible,
@@ -195,8 +206,8 @@ fn kind(table: &Table<'_, '_>) -> Result<ClaimKind, Located> {
     if table.flag("unchecked")? {
         return Ok(ClaimKind::Unchecked);
     }
-    let kinds = "relation, symmetric, linear, independent, solve, values, decimal, radius, proved, \
-                 quantity or unchecked";
+    let kinds = "relation, symmetric, linear, independent, solve, values, decimal, radius, rival, \
+                 proved, quantity or unchecked";
     Err(file_fault(format!("a claim without content, expected one of {kinds}"), table.span()))
 }
 

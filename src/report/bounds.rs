@@ -10,40 +10,11 @@ use serde_json::{Value, json};
 use super::attempt::{Files, wrapped_at};
 use super::json::statement as statement_data;
 use super::mathematics::Notation;
-use crate::approximation::{Barrier, Enclosure};
+use crate::approximation::{Barrier, Enclosure, EndVerdict, Finding};
 use crate::certificate::{Bounds, Quantity, decimal_value, spell_decimal};
 use crate::checker::Theorem;
 use crate::exact::Polynomial;
 use crate::statement::Statement;
-
-/// One end of a printed interval, judged.
-#[derive(Debug, Clone)]
-pub struct EndVerdict {
-    /// The bound as it is printed.
-    pub printed: String,
-    /// `≤` or `≥`.
-    pub relation: &'static str,
-    /// How it comes out.
-    pub finding: Finding,
-}
-
-/// How a printed bound comes out.
-#[derive(Debug, Clone)]
-pub enum Finding {
-    /// It is a bound as it stands.
-    Bound,
-    /// It is one to the digits printed: the true bound lies beyond it by at most half a unit of its last place.
-    Rounded,
-    /// It is none: at this point the quantity is this, cut off.
-    Fails {
-        /// (u, v).
-        at: [BigRational; 2],
-        /// The quantity there.
-        value: String,
-    },
-    /// The true bound agrees with it to all places that were computed.
-    Open,
-}
 
 /// `r` or `F/W²`.
 pub fn symbol(quantity: Quantity, degree: u32) -> String {
@@ -149,7 +120,11 @@ pub fn verdict_text(verdicts: &[EndVerdict], symbol: &str) -> String {
             Finding::Bound => writeln!(text, "   {claim}   holds on the whole patch"),
             Finding::Rounded => writeln!(text, "   {claim}   holds on the whole patch to the digits printed"),
             Finding::Fails { at: [u, v], value } => {
-                writeln!(text, "   {claim}   FAILS: at (u, v) = ({u}, {v}) {symbol} = {value}…")
+                writeln!(
+                    text,
+                    "   {claim}   FAILS: at (u, v) = ({u}, {v}) {symbol} = {}…",
+                    value.replace('-', "−")
+                )
             }
             Finding::Open => writeln!(
                 text,

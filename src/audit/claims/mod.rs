@@ -67,7 +67,8 @@ pub(super) fn judge(
         }
         ClaimKind::Values { at: point, printed } => solution::values(&at, point, printed)?,
         ClaimKind::Decimal { of, printed } => solution::decimal_of(&at, of, printed)?,
-        ClaimKind::Radius { at: point, interval } => radius::radius(&at, point, interval)?,
+        ClaimKind::Radius { at: point, interval } => radius::radius(&at, point, interval, control)?,
+        ClaimKind::Unrivalled { at: point, rival } => radius::unrivalled(&at, point, rival, control)?,
         ClaimKind::Proved { statement, expected } => proved::proved(&at, statement, *expected, control)?,
         ClaimKind::Quantity { name, printed } => quantity::quantity(&at, name, printed)?,
         ClaimKind::Unchecked => (Judgement::NotChecked, Vec::new()),
