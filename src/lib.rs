@@ -47,6 +47,8 @@ pub mod listing;
 #[cfg(feature = "prover")]
 pub mod audit;
 #[cfg(feature = "prover")]
+pub mod figure;
+#[cfg(feature = "prover")]
 pub mod report;
 
 pub mod cli;

@@ -47,6 +47,9 @@ fn the_format_page_states_the_limits_in_force() {
         ("bytes of a certificate file", limits::CERTIFICATE_BYTES),
         ("bytes of a line of a certificate", limits::LINE_BYTES as u64),
         ("steps", limits::STEPS as u64),
+        ("decimal places of a bound", limits::PLACES.into()),
+        ("boxes of a tree, or of all charts", limits::BOXES as u64),
+        ("samples", limits::SAMPLES as u64),
         ("decimal digits of an integer", limits::DIGITS as u64),
         ("terms of a polynomial", limits::TERMS as u64),
         ("powers of variables in all terms of a polynomial", limits::POWERS as u64),
@@ -89,4 +92,27 @@ fn nothing_speaks_of_absolute_paths() {
             assert!(!text.contains(root), "{file} names {root}");
         }
     }
+}
+
+/// The table of the README is what the command prints. `PROVE_CAP_UPDATE=1` corrects it.
+#[cfg(feature = "prover")]
+#[test]
+#[ignore = "half a minute"]
+fn the_readme_has_the_table() {
+    let command = assert_cmd::Command::cargo_bin("prove-cap").unwrap().arg("table").output().unwrap();
+    assert!(command.status.success(), "{}", String::from_utf8_lossy(&command.stderr));
+    let table = String::from_utf8(command.stdout).unwrap();
+    let readme = fs::read_to_string("README.md").unwrap();
+    let mark = "<!-- table, kept true by tests/documents.rs -->\n```text\n";
+    let (before, rest) = readme.split_once(mark).expect("the place for the table");
+    let (_, after) = rest.split_once("```\n").unwrap();
+    let corrected = format!("{before}{mark}{table}```\n{after}");
+    if std::env::var_os("PROVE_CAP_UPDATE").is_some() {
+        fs::write("README.md", &corrected).unwrap();
+    }
+    assert_eq!(
+        fs::read_to_string("README.md").unwrap(),
+        corrected,
+        "PROVE_CAP_UPDATE=1 cargo test --release --test documents -- --ignored"
+    );
 }

@@ -11,6 +11,7 @@ use super::bound::{degree_of, undecided};
 use super::control::{Limits, under_control};
 use super::files::{sealed_name, write_and_check};
 use super::outcome::{Failure, Outcome, Status};
+use super::plot::PlotOptions;
 use super::source::Source;
 use super::values::{point, tolerance};
 use crate::approximation::{
@@ -55,6 +56,8 @@ pub(super) struct ApproximateOptions {
     /// Where statement.toml and the certificates are written [default: proofs/NAME].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    plot: PlotOptions,
     #[command(flatten)]
     limits: Limits,
 }
@@ -127,10 +130,11 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
         write_and_check(&source, options.output.as_deref(), &text, &sealed_name(kind, &text))
     };
     let files = write("bounds", &found.enclosure.certificate)?;
+    let picture = options.plot.draw(&source, degree, &found.enclosure)?;
     let barrier =
         barrier.map(|barrier| Ok((write("unreachable", &barrier.certificate)?, barrier))).transpose()?;
     let status = if open.is_some() { Status::Undecided } else { Status::Established };
-    let answer = Answer { source: &source, options, degree, found, files, barrier, open };
+    let answer = Answer { source: &source, options, degree, found, files, barrier, open, picture };
     let text = match format {
         Format::Json => to_json(&answer.data())?,
         Format::Text | Format::Latex => answer.text(),
@@ -166,6 +170,8 @@ struct Answer<'a> {
     barrier: Option<(Files, Barrier)>,
     /// Why it is not proved that nothing is better.
     open: Option<String>,
+    /// The line that tells of a picture.
+    picture: String,
 }
 
 impl Answer<'_> {
@@ -224,6 +230,7 @@ impl Answer<'_> {
         if let Some((files, barrier)) = &self.barrier {
             text += &checked_text(&barrier.theorem, files);
         }
+        text += &self.picture;
         text
     }
 

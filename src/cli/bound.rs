@@ -8,6 +8,7 @@ use super::arguments::{Format, to_json};
 use super::control::{Limits, under_control};
 use super::files::{sealed_name, write_and_check};
 use super::outcome::{Failure, Outcome, Status};
+use super::plot::PlotOptions;
 use super::source::Source;
 use super::values::{interval, tolerance, values};
 use crate::approximation::{EnclosureError, EndVerdict, Finding, enclose, judge};
@@ -34,6 +35,8 @@ pub(super) struct BoundOptions {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     #[command(flatten)]
+    plot: PlotOptions,
+    #[command(flatten)]
     limits: Limits,
 }
 
@@ -51,6 +54,7 @@ pub(super) fn run(options: &BoundOptions, format: Format) -> Result<Outcome, Fai
     let certificate = enclosure.certificate.write(&statement.ring());
     let name = sealed_name("bounds", &certificate);
     let files = write_and_check(&source, options.output.as_deref(), &certificate, &name)?;
+    let picture = options.plot.draw(&source, degree, &enclosure)?;
     let verdicts = options.claim.as_ref().map(|claim| judge(statement, &enclosure, claim)).transpose();
     let verdicts = verdicts.map_err(Failure::of)?;
     let fails = |verdict: &EndVerdict| matches!(verdict.finding, Finding::Fails { .. });
@@ -85,6 +89,7 @@ pub(super) fn run(options: &BoundOptions, format: Format) -> Result<Outcome, Fai
     text += &format!("\n{}\n\n", statement.title());
     text += &enclosure_details(statement, &enclosure, degree);
     text += &checked_text(&enclosure.theorem, &files);
+    text += &picture;
     Ok(Outcome { text, status })
 }
 

@@ -22,6 +22,8 @@ mod files;
 #[cfg(feature = "prover")]
 mod list;
 #[cfg(feature = "prover")]
+mod plot;
+#[cfg(feature = "prover")]
 mod prove;
 #[cfg(feature = "prover")]
 mod source;
