@@ -14,6 +14,7 @@ use crate::exact::{self, Limit, Work};
 use crate::statement::{Statement, Subject};
 
 /// How an attempt at a statement ended.
+#[allow(clippy::large_enum_variant, reason = "one or two are alive at a time")]
 #[derive(Debug, Clone)]
 pub enum Attempt {
     /// The claim is established: impossible, exact, or a solution of a system.

@@ -137,7 +137,7 @@ mod fixed {
             (0..=degree)
                 .map(|r| {
                     let powers = BigInt::from(k).pow(r as u32) * BigInt::from(n - k).pow((degree - r) as u32);
-                    (BigInt::from(binomial(r)) * powers << BITS) / BigInt::from(n).pow(degree as u32)
+                    ((BigInt::from(binomial(r)) * powers) << BITS) / BigInt::from(n).pow(degree as u32)
                 })
                 .collect()
         };
@@ -251,9 +251,9 @@ fn denominators_that_vanish_are_refused_with_the_place() {
         "the denominator W of the patch is negative at u = 1/2, v = 1/2, expected positive on the whole square; it is \
          positive at u = v = 0, so that it vanishes in between"
     );
-    let EnclosureError::Denominator { u, v, vanishes: true, .. } = error else { panic!("{error}") };
+    let EnclosureError::Denominator { at: place, vanishes: true, .. } = error else { panic!("{error}") };
     let half = BigRational::new(1.into(), 2.into());
-    assert_eq!([u, v], [half.clone(), half]);
+    assert_eq!(*place, [half.clone(), half]);
     // W(1/2, 1/2) = 1/4 + √6/6 + w/4 is 0.
     let touching = at("-1 - 2*sqrt(6)/3");
     assert!(

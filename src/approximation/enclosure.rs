@@ -48,14 +48,14 @@ pub enum EnclosureError {
     #[error("a system of equations has no patch to bound")]
     NotAPatch,
     /// The denominator is not positive.
-    #[error("the denominator W of the patch is {} at u = {u}, v = {v}, expected positive on the whole square{}",
+    #[error("the denominator W of the patch is {} at u = {}, v = {}, expected positive on the whole square{}",
         if *zero { "0" } else { "negative" },
+        at[0],
+        at[1],
         if *vanishes { "; it is positive at u = v = 0, so that it vanishes in between" } else { "" })]
     Denominator {
-        /// The place.
-        u: BigRational,
-        /// The place.
-        v: BigRational,
+        /// The place (u, v).
+        at: Box<[BigRational; 2]>,
         /// Whether it is 0 there.
         zero: bool,
         /// Whether it is positive elsewhere.
@@ -182,7 +182,11 @@ impl Scene {
             NoTree::Negative { corner, depths } => {
                 let [u, v] = [(corner.0, depths.0), (corner.1, depths.1)].map(rational);
                 let value = self.weight_at(&u, &v);
-                EnclosureError::Denominator { u, v, zero: value.is_zero(), vanishes: positive }
+                EnclosureError::Denominator {
+                    at: Box::new([u, v]),
+                    zero: value.is_zero(),
+                    vanishes: positive,
+                }
             }
             other => failed(other),
         })

@@ -62,7 +62,7 @@ pub fn simple_point_beyond(
             let numerator = (x.to_f64().unwrap_or(0.0) * f64::from(denominator)).round() as i64;
             BigRational::new(numerator.into(), denominator.into())
         };
-        let point = near.each_ref().map(|x| rounded(x));
+        let point = near.each_ref().map(rounded);
         if compare_at(statement, values, &point, bound)? == beyond {
             return Ok(point);
         }

@@ -25,9 +25,9 @@ pub(super) fn polish(model: &Model, from: &[f64], intervals: usize, pass: &[(f64
         }
         for (number, &(u, v)) in pass.iter().enumerate() {
             let d = fitted.ratio(u, v);
-            for k in 0..unknowns {
-                rows[unknowns + number][k] = d.gradient[k];
-                rows[k][unknowns + number] = d.gradient[k];
+            for (k, slope) in d.gradient.iter().enumerate() {
+                rows[unknowns + number][k] = *slope;
+                rows[k][unknowns + number] = *slope;
             }
             rows[unknowns + number][size] = -d.value;
         }

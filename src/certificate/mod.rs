@@ -44,6 +44,7 @@ pub struct Certificate {
 }
 
 /// The kinds of argument.
+#[allow(clippy::large_enum_variant, reason = "one or two are alive at a time")]
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Argument {
     /// The equations have no common zero: steps that end in 1.

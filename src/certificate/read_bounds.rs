@@ -21,7 +21,7 @@ impl Reader<'_, '_> {
         let denominator = self.tree(line, tree)?;
         let lower = self.end("lower ", places)?;
         let upper = self.end("upper ", places)?;
-        let boxes = [&denominator, &lower.tree, &upper.tree].map(|tree| leaves(tree));
+        let boxes = [&denominator, &lower.tree, &upper.tree].map(leaves);
         self.sealed(boxes.iter().fold(0, |sum, &count| count.saturating_add(sum)))?;
         Ok(Bounds { values, quantity, places, denominator, lower, upper })
     }

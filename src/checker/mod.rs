@@ -17,14 +17,12 @@
 )]
 #![deny(clippy::disallowed_macros, reason = "assert! and its like")]
 
-mod bounds;
 mod equations;
 mod error;
-mod form;
 mod net;
 mod replay;
+mod subdivision;
 mod theorem;
-mod unreachable;
 
 pub use equations::Equations;
 pub use error::{CheckError, Rejection};
@@ -75,7 +73,7 @@ fn examine(statement: &Statement, certificate: &Certificate, work: &mut Work) ->
                 net::Failure::Limit(limit) => CheckError::Replay { step: 0, limit },
             })
         }
-        Argument::Bounds(bounds) => bounds::verify(statement, bounds, work),
-        Argument::Unreachable(argument) => unreachable::verify(statement, argument, work),
+        Argument::Bounds(bounds) => subdivision::bounds::verify(statement, bounds, work),
+        Argument::Unreachable(argument) => subdivision::unreachable::verify(statement, argument, work),
     }
 }

@@ -16,6 +16,7 @@ pub struct Theorem {
 }
 
 /// What was proved.
+#[allow(clippy::large_enum_variant, reason = "one or two are alive at a time")]
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Claim {

@@ -235,9 +235,8 @@ impl Answer<'_> {
     }
 
     fn data(&self) -> serde_json::Value {
-        let mut data = enclosure_data(&self.source.statement, &self.found.enclosure, Some(&self.files));
-        data["verdict"] = self.word().into();
-        data["name"] = self.source.name.clone().into();
+        let about = (self.word(), self.source.name.as_str());
+        let mut data = enclosure_data(about, &self.source.statement, &self.found.enclosure, &self.files);
         data["objective"] =
             self.options.objective.to_possible_value().map(|value| value.get_name().to_owned()).into();
         data["recognised"] = self.found.recognised.into();

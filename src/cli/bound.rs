@@ -66,9 +66,7 @@ pub(super) fn run(options: &BoundOptions, format: Format) -> Result<Outcome, Fai
         Some(_) => ("AGREES", Status::Established),
     };
     if format == Format::Json {
-        let mut data = enclosure_data(statement, &enclosure, Some(&files));
-        data["verdict"] = word.into();
-        data["name"] = source.name.clone().into();
+        let mut data = enclosure_data((word, &source.name), statement, &enclosure, &files);
         data["claim"] = verdicts.as_deref().map_or(serde_json::Value::Null, verdict_data);
         return Ok(Outcome { text: to_json(&data)?, status });
     }

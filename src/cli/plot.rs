@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 use super::files::write_atomically;
 use super::outcome::Failure;
 use super::source::Source;
-use crate::approximation::{Enclosure, FloatPatch, Model, approximately, local_extremes};
+use crate::approximation::{Enclosure, FloatPatch, Model, Place, approximately, local_extremes};
 use crate::certificate::Quantity;
 use crate::figure::{Extreme, Figure, Scene, draw};
 use crate::report::bounds::{symbol, value_text};
@@ -67,9 +67,10 @@ impl PlotOptions {
         });
         // Those that are as far out, by symmetry or because the optimum makes them so.
         let size = named[1].value - named[0].value;
-        let as_far = |place: &crate::approximation::Place| {
+        let as_far = |place: &Place| {
             let [low, high] = named.map(|extreme| (place.value - extreme.value).abs() < 1e-6 * size);
-            (low || high).then(|| Extreme { u: place.u, v: place.v, value: place.value, maximum: high })
+            let Place { u, v, value } = *place;
+            (low || high).then_some(Extreme { u, v, value, maximum: high })
         };
         let all: Vec<Extreme> = local_extremes(&fitted, 64).iter().filter_map(as_far).collect();
         let extremes = if (1..=MARKED).contains(&all.len()) { all } else { named.to_vec() };

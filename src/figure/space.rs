@@ -50,13 +50,14 @@ fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Quadrilaterals of a surface, those that are farther from the eye first.
+/// Quadrilaterals of a surface, those that are farther from the eye first, edged by a mesh if there is to be one.
 fn paint(
     canvas: &mut Canvas,
     view: &View,
     n: usize,
     point: &dyn Fn(f64, f64) -> Vector,
     colour: &dyn Fn(f64, f64) -> String,
+    mesh: Option<&str>,
 ) {
     let at = |i: usize| i as f64 / n as f64;
     let mut faces: Vec<(f64, [Vector; 4], String)> = iproduct!(0..n, 0..n)
@@ -68,11 +69,11 @@ fn paint(
         .collect();
     faces.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (_, corners, colour) in faces {
-        canvas.polygon(&corners.map(|corner| view.place(corner)), &colour, &colour, 0.5);
+        canvas.polygon(&corners.map(|corner| view.place(corner)), &colour, mesh.unwrap_or(&colour), 0.5);
     }
 }
 
-/// Parameter lines of a surface, where the surface faces the eye or is low enough to be seen.
+/// Parameter lines of a surface that hides none of them.
 fn lines(canvas: &mut Canvas, view: &View, point: &dyn Fn(f64, f64) -> Vector, stroke: &str) {
     let at = |i: usize| i as f64 / 48.0;
     for k in (0..=48).step_by(6) {
@@ -101,8 +102,7 @@ pub(super) fn surface(canvas: &mut Canvas, scene: &Scene<'_>, grid: &Grid, scale
         let nearest = |x: f64| (x * n as f64).round() as usize;
         [u, v, height(grid.at(nearest(u), nearest(v)))]
     };
-    paint(canvas, &view, n / 2, &point, &|u, v| scale.colour((scene.deviation)(u, v)));
-    lines(canvas, &view, &|u, v| [u, v, height((scene.deviation)(u, v))], "#00000055");
+    paint(canvas, &view, n / 2, &point, &|u, v| scale.colour((scene.deviation)(u, v)), Some("#00000030"));
     for k in 0..=4 {
         let t = f64::from(k) / 4.0;
         let label = format!("{t}");
@@ -126,7 +126,17 @@ pub(super) fn surface(canvas: &mut Canvas, scene: &Scene<'_>, grid: &Grid, scale
         let (top, foot) = (view.place([0.0, 0.0, 0.62]), view.place([0.0, 0.0, 0.0]));
         canvas.polyline(&[top, foot], "black", 1.0);
         for extreme in scene.extremes {
-            canvas.marker(view.place([extreme.u, extreme.v, height(extreme.value)]), extreme.maximum);
+            let point = [extreme.u, extreme.v, height(extreme.value)];
+            // Towards the eye the surface must not rise above the line of sight.
+            let hidden = (1..200).any(|k| {
+                let [u, v, z]: Vector =
+                    std::array::from_fn(|i| point[i] + view.eye[i] * f64::from(k) / 100.0);
+                let inside = (0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v);
+                inside && height((scene.deviation)(u, v)) > z
+            });
+            if !hidden {
+                canvas.marker(view.place(point), extreme.maximum);
+            }
         }
     }
 }
@@ -138,9 +148,9 @@ pub(super) fn cap(canvas: &mut Canvas, scene: &Scene<'_>, scale: &Scale) {
         scene.net.iter().flatten().flat_map(|point| (0..3).map(|k| (point[k] - 0.5 * middle[k]).abs()));
     let reach = reach.filter(|x| x.is_finite()).fold(1.0f64, f64::max);
     let view =
-        View::new(-62.0, 24.0, 290.0 / reach.min(4.0), middle.map(|x| 0.6 * x), (370.0, SIZE.1 / 2.0 + 20.0));
+        View::new(-50.0, 30.0, 290.0 / reach.min(4.0), middle.map(|x| 0.6 * x), (370.0, SIZE.1 / 2.0 + 20.0));
     canvas.circle(view.place([0.0; 3]), view.scale, "none", "#999999");
-    paint(canvas, &view, 48, scene.point, &|u, v| scale.colour((scene.deviation)(u, v)));
+    paint(canvas, &view, 48, scene.point, &|u, v| scale.colour((scene.deviation)(u, v)), None);
     lines(canvas, &view, scene.point, "#ffffff66");
     let rows = scene.net.iter().map(|row| row.iter().map(|point| view.place(*point)).collect::<Vec<_>>());
     let rows: Vec<_> = rows.collect();

@@ -70,7 +70,7 @@ pub enum ClaimKind {
         /// The printed bounds.
         interval: (String, String),
     },
-    /// These values of the unknowns keep the distance from the origin nearest to 1: no rival does better on both sides.
+    /// These values of the unknowns are best: the rival does not keep the distance from the origin in a smaller interval.
     Unrivalled {
         /// The values of the unknowns.
         at: Vec<(Symbol, Expression)>,

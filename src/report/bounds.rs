@@ -35,7 +35,7 @@ pub fn value_text(statement: &Statement, value: &Polynomial) -> String {
         let places =
             (1..=40u32).find(|&places| (BigInt::from(10).pow(places) % rational.denom()) == BigInt::ZERO)?;
         let units = &rational * BigRational::from_integer(BigInt::from(10).pow(places));
-        (rational.denom() > &BigInt::one()).then(|| (units, places))
+        (rational.denom() > &BigInt::from(1000)).then_some((units, places))
     });
     match exact {
         Some((units, places)) => decimal(&units.to_integer(), places),
@@ -146,7 +146,12 @@ pub fn checked_text(theorem: &Theorem, files: &Files) -> String {
 }
 
 /// An enclosure as data.
-pub fn enclosure_data(statement: &Statement, enclosure: &Enclosure, files: Option<&Files>) -> Value {
+pub fn enclosure_data(
+    (verdict, name): (&str, &str),
+    statement: &Statement,
+    enclosure: &Enclosure,
+    files: &Files,
+) -> Value {
     let bounds = &enclosure.bounds;
     let ring = statement.ring();
     let values: Vec<Value> = statement
@@ -158,6 +163,8 @@ pub fn enclosure_data(statement: &Statement, enclosure: &Enclosure, files: Optio
     let point = |at: &[BigRational; 2]| json!([at[0].to_string(), at[1].to_string()]);
     let count = |tree: &[bool]| tree.iter().filter(|halved| !**halved).count();
     json!({
+        "verdict": verdict,
+        "name": name,
         "statement": statement_data(statement),
         "values": values,
         "quantity": match bounds.quantity { Quantity::Radius => "radius", Quantity::Ratio => "ratio" },
@@ -166,7 +173,7 @@ pub fn enclosure_data(statement: &Statement, enclosure: &Enclosure, files: Optio
         "upper": { "bound": spell_decimal(&bounds.upper.bound, bounds.places), "near": point(&bounds.upper.at) },
         "boxes": { "denominator": count(&bounds.denominator), "lower": count(&bounds.lower.tree), "upper": count(&bounds.upper.tree) },
         "theorem": enclosure.theorem.sentence(),
-        "certificate": files.map(|files| files.certificate.display().to_string()),
+        "certificate": files.certificate.display().to_string(),
     })
 }
 

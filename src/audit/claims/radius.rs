@@ -1,5 +1,7 @@
 //! How far the points of a patch are from the origin.
 
+use num_bigint::BigInt;
+
 use super::{Claimed, Judged, Judgement};
 use crate::approximation::{Enclosure, EnclosureError, Finding, enclose, judge};
 use crate::audit::AuditError;
@@ -53,7 +55,7 @@ pub(super) fn radius(
     Ok((judgement, evidence))
 }
 
-/// No rival keeps the radius in an interval inside the one of the given values.
+/// The rival does not keep the radius in a smaller interval than the given values do.
 pub(super) fn unrivalled(
     at: &Claimed<'_>,
     values: &Values,
@@ -63,10 +65,14 @@ pub(super) fn unrivalled(
     let (Ok(own), Ok(other)) = (enclosed(at, values, control)?, enclosed(at, rival, control)?) else {
         return Ok((Judgement::NotChecked, vec![Phrase::words("not bounded".to_owned())]));
     };
-    // All bounds are within a unit of what they bound.
-    let inside = other.bounds.lower.bound > own.bounds.lower.bound
-        && other.bounds.upper.bound < own.bounds.upper.bound;
-    let mut at_rival = Phrase::words("the radius stays nearer to 1 on both sides at ");
+    // All bounds are within a unit of what they bound, or at it.
+    let no_farther = |own: &BigInt, other: &BigInt, attained: bool| other < own || other == own && attained;
+    let [own_ends, other_ends] =
+        [&own, &other].map(|one| [-&one.bounds.lower.bound, one.bounds.upper.bound.clone()]);
+    let ends = own_ends.iter().zip(&other_ends);
+    let inside = ends.clone().zip(own.attained).all(|((own, other), at)| no_farther(own, other, at))
+        && ends.clone().any(|(own, other)| other + 1 < *own);
+    let mut at_rival = Phrase::words("the radius stays in a smaller interval at ");
     let unknowns = at.case.statement.unknowns();
     for (position, (name, value)) in unknowns.iter().zip(&other.bounds.values).enumerate() {
         let comma = if position > 0 { ", " } else { "" };

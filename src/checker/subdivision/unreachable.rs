@@ -15,15 +15,15 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::bounds::{Powers, subject, threshold};
-use super::equations::{S, T, expand};
-use super::error::{CheckError, Rejection};
 use super::form::{Form, Interval, Signs};
-use super::theorem::{Claim, Theorem};
 use crate::certificate::{Odds, Region, Side, Unreachable};
+use crate::checker::equations::{S, T, expand};
+use crate::checker::error::{CheckError, Rejection};
+use crate::checker::theorem::{Claim, Theorem};
 use crate::exact::{Limit, Monomial, Polynomial, Work};
 use crate::statement::Statement;
 
-pub(super) fn verify(
+pub(in crate::checker) fn verify(
     statement: &Statement,
     argument: &Unreachable,
     work: &mut Work,

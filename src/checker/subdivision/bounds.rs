@@ -6,12 +6,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::equations::{Expanded, S, T, expand};
-use super::error::{CheckError, Rejection};
 use super::form::{Form, Interval, Signs};
-use super::net::evaluated;
-use super::theorem::{Claim, Theorem};
 use crate::certificate::{Bounds, End, Quantity, Side, Tree, Units, decimal_value};
+use crate::checker::equations::{Expanded, S, T, expand};
+use crate::checker::error::{CheckError, Rejection};
+use crate::checker::net::evaluated;
+use crate::checker::theorem::{Claim, Theorem};
 use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work, combination};
 use crate::statement::{Patch, Statement, Subject};
 
@@ -19,7 +19,11 @@ use crate::statement::{Patch, Statement, Subject};
 const POSITIVE: &[Ordering] = &[Ordering::Greater];
 const NOT_NEGATIVE: &[Ordering] = &[Ordering::Greater, Ordering::Equal];
 
-pub(super) fn verify(statement: &Statement, bounds: &Bounds, work: &mut Work) -> Result<Theorem, CheckError> {
+pub(in crate::checker) fn verify(
+    statement: &Statement,
+    bounds: &Bounds,
+    work: &mut Work,
+) -> Result<Theorem, CheckError> {
     let patch = subject(statement, bounds.quantity)?;
     let limited = |limit| CheckError::Replay { step: 0, limit };
     let net = evaluated(patch, &bounds.values, statement, work).map_err(limited)?;
