@@ -388,7 +388,7 @@ fn changed_bounds_are_rejected_though_they_are_sealed_anew() {
                 tree(b, &|t| {
                     let last = t.len() - 1;
                     t.splice(last.., [true, false, false]);
-                })
+                });
             });
             assert!(matches!(halved, Err(Rejection::NeedlessHalving { .. })), "{which}: {halved:?}");
             let pruned = with(&|b| tree(b, &|t| *t = vec![false]));
