@@ -47,9 +47,10 @@ bench-peers: peers
     cargo build --release --features gmp --target-dir target/gmp
     benches/peers/run num=target/release/prove-cap gmp=target/gmp/release/prove-cap
     benches/peers/systems.py target/release/prove-cap
+    hyperfine -N --warmup 1 "python3 benches/peers/grid.py" "target/release/prove-cap bound cap-2x2 --set w=0.467959158138040 --set z=2.370695072453977"
 
 # Installs the peers; what cannot be installed is `not run` later. grobx needs CPython 3.12.
 peers:
     -command -v Singular hyperfine || apt-get install -y -qq singular-ui hyperfine
-    -python3 -c "import sympy" || python3 -m pip install -q sympy
+    -python3 -c "import sympy, numpy" || python3 -m pip install -q sympy numpy
     -${PYTHON312:-python3.12} -m pip install -q grobx

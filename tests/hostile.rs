@@ -1,11 +1,13 @@
 //! Files made to hurt: each is an error in bounded time and memory, never a verdict, never a panic.
 
+use std::fs;
 use std::time::{Duration, Instant};
 
 use prove_cap::certificate::CertificateFault;
 use prove_cap::checker::{CheckError, check};
 use prove_cap::exact::{Work, limits};
 use prove_cap::statement::{Statement, StatementError, StatementFault};
+use sha2::{Digest, Sha256};
 
 /// Generous, for slow machines: what is meant is "does not hang".
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -143,4 +145,93 @@ fn a_product_of_two_long_polynomials_is_counted_before_it_is_made() {
     );
     let error = complaint(certificate(&lines).as_bytes());
     assert!(matches!(error, CheckError::Rejected(_) | CheckError::Replay { .. }), "{error:?}");
+}
+
+/// A certificate by subdivision of the paper's patch, sealed.
+fn sealed(lines: &[String], boxes: usize) -> String {
+    let statement = fs::read_to_string("proofs/cap-2x2/statement.toml").unwrap();
+    let hash = Statement::read(&statement).unwrap().hash();
+    let head = format!("prove-cap certificate 1\nstatement sha256 {hash}\n");
+    let text = format!("{head}{}\n", lines.join("\n"));
+    let digest: String = Sha256::digest(&text).iter().map(|byte| format!("{byte:02x}")).collect();
+    format!("{text}end {boxes} {digest}\n")
+}
+
+fn judged(text: &str) -> CheckError {
+    let statement = fs::read("proofs/cap-2x2/statement.toml").unwrap();
+    in_time(|| check(&statement, text.as_bytes())).expect_err("a limit or a rejection")
+}
+
+/// Halved again and again at one corner.
+fn deep(depth: usize) -> String {
+    "h".repeat(depth) + &".".repeat(depth + 1)
+}
+
+#[test]
+fn deep_trees() {
+    let lines = |tree: &str, denominator: &str| {
+        [
+            "claim bounds",
+            "value w = -3",
+            "value z = 2",
+            "quantity radius 1",
+            &format!("denominator {denominator}"),
+            &format!("lower 0.0 at 0 0 over {tree}"),
+            "upper 9.0 at 0 0 over .",
+        ]
+        .map(String::from)
+    };
+    let text = sealed(&lines(".", &deep(400_000)), 400_003);
+    assert!(
+        matches!(judged(&text), CheckError::Subdivision { .. } | CheckError::Rejected(_)),
+        "{}",
+        judged(&text)
+    );
+    let text = sealed(&lines(".", &deep(1_000_001)), 1_000_004);
+    assert!(
+        matches!(judged(&text), CheckError::Certificate(error) if matches!(error.fault, CertificateFault::Limit(_)))
+    );
+    let mut charts =
+        vec!["claim unreachable", "quantity radius 1", "between 0.9 1.1", "range 8", "sample 1 at 1 1"];
+    charts.push("chart 1");
+    charts.extend(vec!["halve"; 400_000]);
+    charts.extend(vec!["exclude 1*lower[1]"; 400_001]);
+    for chart in ["chart 2", "chart 3", "chart 4", "chart 5"] {
+        charts.extend([chart, "exclude 1*lower[1]"]);
+    }
+    let charts: Vec<String> = charts.into_iter().map(String::from).collect();
+    let error = judged(&sealed(&charts, 400_005));
+    assert!(matches!(error, CheckError::Subdivision { .. }), "{error}");
+}
+
+#[test]
+fn long_numbers_in_arguments_by_subdivision() {
+    let digits = "7".repeat(limits::DIGITS);
+    let mut lines: Vec<String> =
+        ["claim unreachable", "quantity radius 1", "between 0.9 1.1"].map(String::from).to_vec();
+    lines.push(format!("range {digits}"));
+    lines.push(format!("sample 1 at {digits}/{} {digits}*h", "8".repeat(limits::DIGITS - 1) + "1"));
+    for chart in 1..=5 {
+        lines.extend([format!("chart {chart}"), "exclude 1*lower[1] + 1*upper[1]".to_owned()]);
+    }
+    let error = judged(&sealed(&lines, 5));
+    assert!(
+        matches!(
+            error,
+            CheckError::Subdivision { .. } | CheckError::Rejected(_) | CheckError::Certificate(_)
+        ),
+        "{error}"
+    );
+    let places = format!("{}.{}", "1".repeat(limits::DIGITS), "0".repeat(1000));
+    let lines = [
+        "claim bounds",
+        "value w = 1/2",
+        "value z = 2",
+        "quantity radius 1000",
+        "denominator .",
+        &format!("lower 0.{} at 0 0 over .", "0".repeat(1000)),
+        &format!("upper {places} at 0 0 over ."),
+    ]
+    .map(String::from);
+    assert!(matches!(judged(&sealed(&lines, 3)), CheckError::Certificate(_)));
 }

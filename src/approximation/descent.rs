@@ -11,7 +11,7 @@ use microlp::{ComparisonOp, OptimizationDirection, Problem};
 use super::extremes::{Place, local_extremes};
 use super::model::{Deviation, Fitted, Model};
 use super::objective::{Objective, PENALTY};
-use crate::elimination::{Control, Interrupted};
+use crate::elimination::{Control, Interrupted, Progress};
 
 /// Intervals of the grid on which extremes are looked for.
 pub(super) const GRID: usize = 64;
@@ -31,8 +31,9 @@ pub(super) fn descend(
     let mut points: VecDeque<Vec<Place>> = VecDeque::new();
     let mut extremes = local_extremes(&model.at(&values), GRID);
     let mut merit = objective.of(&extremes) + beside(&model.at(&values), objective);
-    for _ in 0..ROUNDS {
+    for round in 1..=ROUNDS {
         control.check()?;
+        control.observe(&Progress::Descent { round, reached: format!("{merit:.6e}") });
         points.push_front(extremes.clone());
         points.truncate(KEPT);
         let fitted = model.at(&values);

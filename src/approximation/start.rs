@@ -4,7 +4,7 @@ use itertools::iproduct;
 use slsqp::{Func, StopTols, minimize};
 
 use super::model::Model;
-use crate::elimination::{Control, Interrupted};
+use crate::elimination::{Control, Interrupted, Progress};
 
 /// Starts that are tried.
 pub(super) const STARTS: usize = 48;
@@ -37,8 +37,9 @@ pub(super) fn start(
 ) -> Result<Option<Vec<f64>>, Interrupted> {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut best: Option<(f64, Vec<f64>)> = None;
-    for _ in 0..STARTS {
+    for tried in 1..=STARTS {
         control.check()?;
+        control.observe(&Progress::Starts { tried, of: STARTS });
         let from: Vec<f64> = (0..model.unknowns()).map(|_| 3.0 * random.f64() - 1.0).collect();
         let found = sequential(model, &from, COARSE, false, &[]);
         let fitted = model.at(&found);

@@ -78,6 +78,20 @@ pub enum Progress {
     },
     /// A proof was found and is being made shorter.
     Shortening,
+    /// Values of the unknowns are looked for.
+    Starts {
+        /// Random starts tried.
+        tried: usize,
+        /// Of so many.
+        of: usize,
+    },
+    /// Values of the unknowns are being improved.
+    Descent {
+        /// Linear programs solved.
+        round: usize,
+        /// What is minimised, in the form d·10^e.
+        reached: String,
+    },
     /// Boxes of the unknowns' space are being excluded.
     Boxes {
         /// Boxes that are excluded.
@@ -106,6 +120,8 @@ impl fmt::Display for Progress {
                 write!(f, "exactly: a combination of {rows} multiples that has degree {degree}")
             }
             Progress::Digits { digits } => write!(f, "exactly: {digits} p-adic digits of each coefficient"),
+            Progress::Starts { tried, of } => write!(f, "least squares: start {tried} of {of}"),
+            Progress::Descent { round, reached } => write!(f, "linear programs: round {round}, {reached}"),
             Progress::Boxes { excluded, open } => {
                 write!(f, "all values of the unknowns: {excluded} boxes excluded, {open} open")
             }

@@ -64,7 +64,7 @@ pub(in crate::checker) fn verify(
                         if let Some(interval) = part.get_mut(axis) {
                             *interval = half;
                         }
-                        work.charge(1000).map_err(at)?;
+                        work.charge(size(&part)).map_err(at)?;
                         open.push((part, depth.saturating_add(1)));
                     }
                 }
@@ -93,6 +93,13 @@ pub(in crate::checker) fn verify(
         boxes,
     };
     Ok(Theorem::established(statement, claim))
+}
+
+/// The price of keeping a box: its numbers grow with its depth.
+fn size(intervals: &[Interval]) -> u64 {
+    let numbers = intervals.iter().flat_map(|interval| interval.x.iter().chain(&interval.y));
+    let bits = numbers.fold(0u64, |bits, number| bits.saturating_add(number.bits()));
+    bits.saturating_mul(2).saturating_add(1000)
 }
 
 /// Terms in h and the ξ, one variable for each unknown.
