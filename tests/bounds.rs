@@ -460,13 +460,16 @@ fn refused(statement: &[u8], text: &[u8]) -> bool {
     check(statement, text).is_err()
 }
 
-fn mutants(step: usize) {
+/// At so many places of each file, or at all.
+fn mutants(places: usize) {
     for kind in ["bounds", "unreachable"] {
         for (file, ..) in committed(kind) {
             let statement = fs::read(Path::new(&file).with_file_name("statement.toml")).unwrap();
             let text = fs::read(&file).unwrap();
             assert!(!refused(&statement, &text));
-            for at in (0..text.len()).step_by(step) {
+            // A file that is longer than so many bytes would take hours.
+            let places = if text.len() > 20_000 { places.min(100) } else { places };
+            for at in (0..text.len()).step_by(text.len().div_ceil(places)) {
                 let mut shorter = text.clone();
                 shorter.remove(at);
                 // Deleting one of two equal neighbours is deleting the other.
@@ -490,13 +493,13 @@ fn mutants(step: usize) {
 
 #[test]
 fn damaged_files_are_refused() {
-    mutants(97);
+    mutants(24);
 }
 
 #[test]
-#[ignore = "minutes: every byte of every file"]
+#[ignore = "minutes: every byte of every file up to 20 kB"]
 fn all_damaged_files_are_refused() {
-    mutants(1);
+    mutants(20_000);
 }
 
 proptest! {

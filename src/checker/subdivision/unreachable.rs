@@ -9,6 +9,8 @@
 //! by h^D, which is positive, and divided by any power of h that all its terms have. Sample points may move with h.
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -49,6 +51,7 @@ pub(in crate::checker) fn verify(
     let mut boxes = 0usize;
     for (number, regions) in (0usize..).zip(&argument.charts) {
         let chart = Chart { far: far(number), unknowns, range: &argument.range };
+        let mut known = BTreeMap::new();
         let mut open = vec![(chart.whole(), 0usize)];
         for (position, region) in (1usize..).zip(regions) {
             let at = |limit| CheckError::Subdivision { tree: "charts", node: position, limit };
@@ -69,7 +72,7 @@ pub(in crate::checker) fn verify(
                     }
                 }
                 Region::Excluded(sum) => {
-                    let terms = chart.sum(sum, &sides, &argument.samples, work).map_err(at)?;
+                    let terms = chart.sum(sum, &sides, &argument.samples, &mut known, work).map_err(at)?;
                     let mut form = Form::new(field, degrees(&terms, unknowns), &terms, work).map_err(at)?;
                     for (axis, interval) in (0usize..).zip(&intervals) {
                         form = form.on(axis, interval, work).map_err(at)?;
@@ -156,12 +159,13 @@ impl Chart<'_> {
         (0..self.unknowns).map(|axis| Interval::new(range(axis), [1, 1])).collect()
     }
 
-    /// Σ factor·side at its sample, times a power of h.
+    /// Σ factor·side at its sample, times a power of h. What sides at samples are is computed once for a chart.
     fn sum(
         &self,
         sum: &[(BigInt, Side, usize)],
         sides: &[(Side, Polynomial)],
         samples: &[[Odds; 2]],
+        known: &mut BTreeMap<(Side, usize, u32), Terms>,
         work: &mut Work,
     ) -> Result<Terms, Limit> {
         let of =
@@ -180,10 +184,16 @@ impl Chart<'_> {
                 // The reader has refused samples that do not exist.
                 continue;
             };
-            for (monomial, value) in polynomial.terms() {
-                work.charge_term(monomial)?;
-                let value = value * BigRational::from_integer(factor.clone());
-                terms.push(self.term(monomial, value, odds, degree, work)?);
+            let at_sample = match known.entry((*side, *sample, degree)) {
+                Entry::Occupied(entry) => entry.into_mut(),
+                Entry::Vacant(entry) => entry.insert(self.at_sample(polynomial, odds, degree, work)?),
+            };
+            let factor = BigRational::from_integer(factor.clone());
+            for (exponents, mask, value) in at_sample.iter() {
+                work.charge(300)?;
+                work.charge_gcd(factor.numer(), value.denom())?;
+                work.charge_product(factor.numer(), value.numer())?;
+                terms.push((exponents.clone(), *mask, value * &factor));
             }
         }
         // A power of h that is in all terms is divided out: h > 0 for all values that the chart is about.
@@ -196,6 +206,25 @@ impl Chart<'_> {
             }
         }
         Ok(terms)
+    }
+
+    /// A side at a sample, like terms collected.
+    fn at_sample(
+        &self,
+        polynomial: &Polynomial,
+        odds: &[Odds; 2],
+        degree: u32,
+        work: &mut Work,
+    ) -> Result<Terms, Limit> {
+        let mut collected: BTreeMap<(Vec<usize>, u8), BigRational> = BTreeMap::new();
+        for (monomial, value) in polynomial.terms() {
+            work.charge_term(monomial)?;
+            let (exponents, mask, value) = self.term(monomial, value.clone(), odds, degree, work)?;
+            let sum = collected.entry((exponents, mask)).or_default();
+            work.charge_gcd(sum.denom(), value.denom())?;
+            *sum += value;
+        }
+        Ok(collected.into_iter().map(|((exponents, mask), value)| (exponents, mask, value)).collect())
     }
 
     /// One term, with t, s and the unknowns replaced.
