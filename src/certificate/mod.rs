@@ -18,6 +18,7 @@
 #![deny(clippy::disallowed_macros, reason = "assert! and its like")]
 
 mod bounds;
+mod cover;
 mod error;
 mod read;
 mod read_bounds;
@@ -32,6 +33,7 @@ use crate::exact::Polynomial;
 pub use bounds::{
     Bounds, End, Odds, Quantity, Region, Side, Tree, Units, Unreachable, decimal_value, spell_decimal,
 };
+pub use cover::{Cover, EDGES, EdgeTree};
 pub use error::{CertificateError, CertificateFault};
 
 /// An argument for a claim about the statement with a certain hash.
@@ -55,6 +57,8 @@ pub enum Argument {
     Bounds(Bounds),
     /// At no values is it nearer than this.
     Unreachable(Unreachable),
+    /// At certain values the patch covers a spherical polygon, once and regularly.
+    Cover(Cover),
 }
 
 /// One step: Σ multiplier · premise = conclusion.

@@ -93,11 +93,12 @@ impl<'a> Reader<'a, '_> {
         let line = self.next(expected)?;
         let hash = line.strip_prefix("statement sha256 ").filter(|hash| is_hash(hash));
         let statement = hash.ok_or_else(|| self.unexpected(line, expected))?.to_owned();
-        let expected = "`claim impossible`, `claim exact`, `claim bounds` or `claim unreachable`";
+        let expected = "`claim ` and `impossible`, `exact`, `bounds`, `unreachable` or `cover`";
         let argument = match self.next(expected)? {
             "claim impossible" => self.steps()?,
             "claim exact" => self.exact()?,
             "claim bounds" => Argument::Bounds(self.bounds()?),
+            "claim cover" => Argument::Cover(self.cover()?),
             "claim unreachable" => Argument::Unreachable(self.unreachable()?),
             other => return Err(self.unexpected(other, expected)),
         };

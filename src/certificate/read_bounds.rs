@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::bounds::{Bounds, End, Odds, Quantity, Region, Side, Tree, Units, Unreachable};
+use super::cover::{Cover, EDGES, EdgeTree};
 use super::error::{CertificateError, CertificateFault as Fault};
 use super::read::{Reader, column};
 use super::seal::seal;
@@ -15,15 +16,49 @@ impl Reader<'_, '_> {
     pub(super) fn bounds(&mut self) -> Result<Bounds, CertificateError> {
         let values = self.values()?;
         let (quantity, places) = self.quantity()?;
-        let expected = "`denominator ` and a tree of `h` and `.`";
-        let line = self.next(expected)?;
-        let tree = line.strip_prefix("denominator ").ok_or_else(|| self.unexpected(line, expected))?;
-        let denominator = self.tree(line, tree)?;
+        let denominator = self.named_tree("denominator ", "`denominator ` and a tree of `h` and `.`")?;
         let lower = self.end("lower ", places)?;
         let upper = self.end("upper ", places)?;
         let boxes = [&denominator, &lower.tree, &upper.tree].map(leaves);
         self.sealed(boxes.iter().fold(0, |sum, &count| count.saturating_add(sum)))?;
         Ok(Bounds { values, quantity, places, denominator, lower, upper })
+    }
+
+    /// After `claim cover`.
+    pub(super) fn cover(&mut self) -> Result<Cover, CertificateError> {
+        let values = self.values()?;
+        let denominator = self.named_tree("denominator ", "`denominator ` and a tree of `h` and `.`")?;
+        let mut edges = EDGES.map(|_| EdgeTree::Point);
+        for (name, edge) in EDGES.iter().zip(&mut edges) {
+            let expected = "`edge `, the next of u=0, u=1, v=0, v=1, and `point` or `arc TREE`";
+            let line = self.next(expected)?;
+            let rest = line.strip_prefix("edge ").and_then(|rest| rest.strip_prefix(name));
+            match rest.ok_or_else(|| self.unexpected(line, expected))? {
+                " point" => {}
+                rest => {
+                    let tree = rest.strip_prefix(" arc ").ok_or_else(|| self.unexpected(line, expected))?;
+                    *edge = EdgeTree::Arc(self.tree(line, tree)?);
+                }
+            }
+        }
+        let expected = "`regular outward ` or `regular inward ` and a tree of `h` and `.`";
+        let line = self.next(expected)?;
+        let (inward, tree) = match line.strip_prefix("regular ").and_then(|rest| rest.split_once(' ')) {
+            Some(("inward", tree)) => (true, tree),
+            Some(("outward", tree)) => (false, tree),
+            _ => return Err(self.unexpected(line, expected)),
+        };
+        let regular = self.tree(line, tree)?;
+        let cover = Cover { values, denominator, edges, inward, regular };
+        self.sealed(cover.trees().fold(0, |sum, tree| leaves(tree).saturating_add(sum)))?;
+        Ok(cover)
+    }
+
+    /// A word and a tree.
+    fn named_tree(&mut self, name: &str, expected: &'static str) -> Result<Tree, CertificateError> {
+        let line = self.next(expected)?;
+        let tree = line.strip_prefix(name).ok_or_else(|| self.unexpected(line, expected))?;
+        self.tree(line, tree)
     }
 
     /// `quantity radius 12`.

@@ -28,6 +28,7 @@ impl Certificate {
                 }
                 values.len()
             }
+            Argument::Cover(cover) => return sealed(lines, write_bounds::cover(cover, ring)),
             Argument::Bounds(bounds) => return sealed(lines, write_bounds::bounds(bounds, ring)),
             Argument::Unreachable(argument) => {
                 return sealed(lines, write_bounds::unreachable(argument, ring));

@@ -1,6 +1,7 @@
 //! The canonical text, continued: arguments by subdivision.
 
 use super::bounds::{Bounds, End, Odds, Quantity, Region, Tree, Unreachable, spell_decimal};
+use super::cover::{Cover, EDGES, EdgeTree};
 use crate::exact::Ring;
 
 /// The lines of `claim bounds`, and how many boxes there are.
@@ -17,6 +18,25 @@ pub(super) fn bounds(bounds: &Bounds, ring: &Ring) -> (Vec<String>, usize) {
     }
     let trees = [&bounds.denominator, &bounds.lower.tree, &bounds.upper.tree];
     let boxes = trees.into_iter().flatten().filter(|halved| !**halved).count();
+    (lines, boxes)
+}
+
+/// The lines of `claim cover`, and how many boxes there are.
+pub(super) fn cover(cover: &Cover, ring: &Ring) -> (Vec<String>, usize) {
+    let mut lines = vec!["claim cover".to_owned()];
+    for (name, value) in ring.variables.iter().zip(&cover.values) {
+        lines.push(format!("value {name} = {}", ring.spell(value)));
+    }
+    lines.push(format!("denominator {}", spelled(&cover.denominator)));
+    for (name, edge) in EDGES.iter().zip(&cover.edges) {
+        lines.push(match edge {
+            EdgeTree::Arc(tree) => format!("edge {name} arc {}", spelled(tree)),
+            EdgeTree::Point => format!("edge {name} point"),
+        });
+    }
+    let direction = if cover.inward { "inward" } else { "outward" };
+    lines.push(format!("regular {direction} {}", spelled(&cover.regular)));
+    let boxes = cover.trees().flatten().filter(|halved| !**halved).count();
     (lines, boxes)
 }
 

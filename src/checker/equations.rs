@@ -66,9 +66,12 @@ fn rabinowitsch(
     Polynomial::sum(&[product, Polynomial::integer(-1)], statement.field(), work)
 }
 
-/// F(X̂, Ŷ, Ẑ, Ŵ) and Ŵ, polynomials in t, s and the unknowns.
+/// F(X̂, Ŷ, Ẑ, Ŵ) and its arguments, polynomials in t, s and the unknowns.
 pub(super) struct Expanded {
     pub(super) surface: Polynomial,
+    /// X̂, Ŷ, Ẑ.
+    pub(super) position: Vec<Polynomial>,
+    /// Ŵ.
     pub(super) weight: Polynomial,
 }
 
@@ -87,7 +90,8 @@ pub(super) fn expand(field: &Radicands, patch: &Patch, work: &mut Work) -> Resul
         coordinates.push(combination(&pairs, field, work)?);
     }
     let surface = patch.surface.substitute(&coordinates, field, work)?;
-    Ok(Expanded { surface, weight: coordinates.pop().unwrap_or_default() })
+    let weight = coordinates.pop().unwrap_or_default();
+    Ok(Expanded { surface, position: coordinates, weight })
 }
 
 fn coefficients(

@@ -70,6 +70,10 @@ pub enum Rejection {
     NeedlessHalving { tree: &'static str, node: usize },
     /// A bound that is not the best decimal of its length, as far as the stated point shows.
     NotReached { end: &'static str },
+    /// An edge that is not what the certificate says: an arc of a great circle, or a point.
+    Edge { edge: &'static str, expected: &'static str },
+    /// More than one edge that is a point.
+    Points { edge: &'static str },
     /// Unknowns that do not occur as a product.
     NotAProduct,
     /// A sum that is not shown to be nowhere positive on its box.
@@ -137,6 +141,10 @@ impl fmt::Display for Rejection {
                     f,
                     "{end}: the stated point does not come within one unit of the last place of the bound"
                 )
+            }
+            Rejection::Edge { edge, expected } => write!(f, "edge {edge}: it is not {expected}"),
+            Rejection::Points { edge } => {
+                write!(f, "edge {edge}: it is a point like another edge, which leaves no triangle")
             }
             Rejection::NotAProduct => {
                 write!(f, "the equations are not polynomials in the stated products")

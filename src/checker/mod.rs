@@ -29,7 +29,7 @@ pub use error::{CheckError, Rejection};
 pub use theorem::{Claim, Theorem};
 
 use crate::certificate::{Argument, Certificate};
-use crate::exact::Work;
+use crate::exact::{Polynomial, Work};
 use crate::statement::Statement;
 
 /// Checks the bytes of a certificate file against the bytes of a statement file.
@@ -66,14 +66,21 @@ fn examine(statement: &Statement, certificate: &Certificate, work: &mut Work) ->
             let equations = Equations::of(statement, work).map_err(CheckError::Equations)?;
             replay::replay(statement, &equations, steps, work)
         }
-        Argument::Exact(values) => {
-            let equations = Equations::of(statement, work).map_err(CheckError::Equations)?;
-            net::verify(statement, &equations, values, work).map_err(|error| match error {
-                net::Failure::Rejected(rejection) => rejection.into(),
-                net::Failure::Limit(limit) => CheckError::Replay { step: 0, limit },
-            })
+        Argument::Exact(values) => identity(statement, values, work),
+        Argument::Cover(cover) => {
+            // The patch lies on the sphere; then, that it covers what its corners span.
+            identity(statement, &cover.values, work)?;
+            subdivision::cover::verify(statement, cover, work)
         }
         Argument::Bounds(bounds) => subdivision::bounds::verify(statement, bounds, work),
         Argument::Unreachable(argument) => subdivision::unreachable::verify(statement, argument, work),
     }
+}
+
+fn identity(statement: &Statement, values: &[Polynomial], work: &mut Work) -> Result<Theorem, CheckError> {
+    let equations = Equations::of(statement, work).map_err(CheckError::Equations)?;
+    net::verify(statement, &equations, values, work).map_err(|error| match error {
+        net::Failure::Rejected(rejection) => rejection.into(),
+        net::Failure::Limit(limit) => CheckError::Replay { step: 0, limit },
+    })
 }

@@ -56,6 +56,20 @@ pub enum Claim {
         /// Boxes of all subdivisions.
         boxes: usize,
     },
+    /// At these values the patch lies on the unit sphere, W > 0 on the whole square, and the square is mapped one to one
+    /// and regularly onto the convex spherical polygon between its corners.
+    Cover {
+        /// The value of each unknown, a constant of K.
+        values: Vec<Polynomial>,
+        /// The points (x, y, z) at (u, v) = (0,0), (1,0), (1,1), (0,1).
+        corners: Vec<[Polynomial; 3]>,
+        /// Whether the normal ∂/∂u × ∂/∂v points to the centre of the sphere.
+        inward: bool,
+        /// The edge that is a single point, so that the polygon is a triangle.
+        point: Option<&'static str>,
+        /// Boxes of all subdivisions.
+        boxes: usize,
+    },
     /// At no real values is W > 0 on the whole square and the quantity strictly between the bounds.
     Unreachable {
         /// What is bounded.
@@ -84,7 +98,7 @@ impl Theorem {
         &self.claim
     }
 
-    /// `impossible`, `exact`, `solution`, `bounds` or `unreachable`.
+    /// `impossible`, `exact`, `solution`, `bounds`, `unreachable` or `cover`.
     pub fn kind(&self) -> &'static str {
         match self.claim {
             Claim::Impossible { .. } => "impossible",
@@ -92,6 +106,7 @@ impl Theorem {
             Claim::Solution { .. } => "solution",
             Claim::Bounds { .. } => "bounds",
             Claim::Unreachable { .. } => "unreachable",
+            Claim::Cover { .. } => "cover",
         }
     }
 
@@ -154,6 +169,18 @@ impl Theorem {
                      {low} ≤ {} ≤ {high}. Both bounds are the best with {places} decimals: the quantity comes within one unit of \
                      the last place at (u, v) = {at_low} and {at_high}.",
                     name_of(*quantity)
+                )
+            }
+            (_, Claim::Cover { values, point, .. }) => {
+                let at = if values.is_empty() { "As it stands" } else { "At the stated values" };
+                let (polygon, regular) = match point {
+                    None => ("quadrilateral", String::new()),
+                    Some(edge) => ("triangle", format!(", but for the edge {edge}, which is a single point")),
+                };
+                format!(
+                    "{at} the patch lies on the unit sphere, its denominator W is positive on the whole square, and it maps \
+                     the square one to one and regularly onto the convex spherical {polygon} between its corners, whose \
+                     sides are the shorter arcs of great circles{regular}."
                 )
             }
             (_, Claim::Unreachable { quantity, places, between: [low, high], .. }) => {

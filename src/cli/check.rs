@@ -70,6 +70,16 @@ fn verified(theorem: &Theorem) -> String {
             lines.push(format!("replayed   {boxes} boxes"));
             lines.extend(spelled(statement, values));
         }
+        Claim::Cover { values, corners, boxes, inward, .. } => {
+            lines.push(format!("replayed   {boxes} boxes"));
+            lines.push(format!("normal     {}", if *inward { "inward" } else { "outward" }));
+            lines.extend(spelled(statement, values));
+            let ring = statement.ring();
+            for (at, corner) in ["(0,0)", "(1,0)", "(1,1)", "(0,1)"].iter().zip(corners) {
+                let corner = corner.each_ref().map(|x| ring.spell(x)).join(", ");
+                lines.push(format!("corner     {at} -> ({corner})"));
+            }
+        }
         Claim::Unreachable { boxes, .. } => lines.push(format!("replayed   {boxes} boxes")),
         Claim::Exact { values, .. } | Claim::Solution { values } => lines.extend(spelled(statement, values)),
     }

@@ -1,0 +1,97 @@
+//! Trees of boxes of the unit square, followed from the root.
+
+use std::cmp::Ordering;
+
+use num_rational::BigRational;
+
+use super::form::{Form, Interval, Signs};
+use crate::certificate::Tree;
+use crate::checker::equations::{S, T};
+use crate::checker::error::{CheckError, Rejection};
+use crate::exact::{Limit, Polynomial, Radicands, Work};
+
+/// Signs that may be asked for.
+pub(super) const POSITIVE: &[Ordering] = &[Ordering::Greater];
+pub(super) const NOT_NEGATIVE: &[Ordering] = &[Ordering::Greater, Ordering::Equal];
+
+/// What subdivisions of the square have in common.
+pub(super) struct Scene<'a> {
+    field: &'a Radicands,
+    signs: Signs,
+}
+
+impl<'a> Scene<'a> {
+    pub(super) fn new(field: &'a Radicands) -> Self {
+        Scene { field, signs: Signs::new(field) }
+    }
+
+    /// A polynomial in t and s, without unknowns, as a form in u and 1 − u, v and 1 − v: t = u/(1−u), s = v/(1−v).
+    pub(super) fn form(
+        &self,
+        polynomial: &Polynomial,
+        degrees: [u32; 2],
+        work: &mut Work,
+    ) -> Result<Form, Limit> {
+        let size = |exponent: u32| usize::try_from(exponent).unwrap_or(usize::MAX);
+        let mut terms = Vec::with_capacity(polynomial.term_count());
+        for (monomial, value) in polynomial.terms() {
+            let exponents = [T, S].map(|variable| size(monomial.exponent(variable))).to_vec();
+            terms.push((exponents, monomial.mask(), value.clone()));
+        }
+        Form::new(self.field, degrees.map(size).to_vec(), &terms, work)
+    }
+
+    /// The sign at a point of the square.
+    pub(super) fn at(
+        &self,
+        form: Form,
+        point: &[BigRational; 2],
+        work: &mut Work,
+    ) -> Result<Ordering, Limit> {
+        let mut form = form;
+        for (axis, x) in (0usize..).zip(point) {
+            let interval = Interval::point(x.numer().clone(), x.denom() - x.numer());
+            form = form.on(axis, &interval, work)?;
+        }
+        form.first(&self.signs, work)
+    }
+
+    /// Follows a tree from the whole square: the boxes that are not halved have accepted signs, the others have not.
+    /// Returns how many boxes are not halved.
+    pub(super) fn subdivide(
+        &self,
+        name: &'static str,
+        form: Form,
+        tree: &Tree,
+        accepted: &[Ordering],
+        work: &mut Work,
+    ) -> Result<usize, CheckError> {
+        // u = q/(p+q) and 1 − u = p/(p+q): the lower half has u = q/(2p+2q), the upper one u = (p+2q)/(2p+2q).
+        let (low, high) = (Interval::new([0, 1], [2, 1]), Interval::new([1, 2], [1, 0]));
+        let mut open = vec![(form, 0usize)];
+        let mut boxes = 0usize;
+        for (position, halved) in (1usize..).zip(tree) {
+            let limited = |limit| CheckError::Subdivision { tree: name, node: position, limit };
+            let Some((form, depth)) = open.pop() else {
+                return Err(Rejection::Tree { tree: name }.into());
+            };
+            let holds = form.all(&self.signs, accepted, work).map_err(limited)?;
+            match (halved, holds) {
+                (false, false) => return Err(Rejection::Sign { tree: name, node: position }.into()),
+                (true, true) => return Err(Rejection::NeedlessHalving { tree: name, node: position }.into()),
+                (false, true) => boxes = boxes.saturating_add(1),
+                (true, false) => {
+                    // Across u first, then v, in turn.
+                    let axis = depth.checked_rem(2).unwrap_or(0);
+                    let next = depth.saturating_add(1);
+                    open.push((form.on(axis, &high, work).map_err(limited)?, next));
+                    open.push((form.on(axis, &low, work).map_err(limited)?, next));
+                }
+            }
+        }
+        match open.is_empty() {
+            true => Ok(boxes),
+            false => Err(Rejection::Tree { tree: name }.into()),
+        }
+    }
+}
