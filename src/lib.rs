@@ -41,6 +41,8 @@ pub mod prove;
 #[cfg(feature = "prover")]
 pub mod approximation;
 #[cfg(feature = "prover")]
+pub mod construction;
+#[cfg(feature = "prover")]
 pub mod expand;
 #[cfg(feature = "prover")]
 pub mod listing;

@@ -10,6 +10,7 @@ mod monomial;
 mod polynomial;
 mod prime_field;
 mod sign;
+mod spell;
 mod square_root;
 mod univariate;
 
@@ -20,4 +21,5 @@ pub use monomial::Monomial;
 pub use polynomial::Polynomial;
 pub use prime_field::{PrimeField, splitting_primes};
 pub use sign::Sign;
+pub use spell::spell;
 pub use univariate::Univariate;

@@ -12,7 +12,7 @@ use super::fixed::fixed;
 use super::point::compare_at;
 use super::tree::{NoTree, tree};
 use crate::algebra::{FieldElement, Integer, MultiquadraticField};
-use crate::bezier::{BernsteinForm, binomial, surface_condition};
+use crate::bezier::{binomial, surface_condition};
 use crate::certificate::{Argument, Bounds, Certificate, End, Quantity, Side, Units, decimal_value};
 use crate::checker::{CheckError, Rejection, Theorem, check_read};
 use crate::elimination::{Control, Interrupted};
@@ -155,7 +155,7 @@ impl Scene {
         let patch = patch_at(statement, values)?;
         let field = field_of(statement);
         let along = |surface: exact::Polynomial| {
-            bernstein(&surface_condition(field, &Patch { surface, ..patch.clone() }))
+            surface_condition(field, &Patch { surface, ..patch.clone() }).constants()
         };
         let degree = patch.surface.degree();
         let weight = exact::Polynomial::variable(3);
@@ -299,14 +299,4 @@ fn failed(why: NoTree) -> EnclosureError {
         NoTree::Interrupted(why) => EnclosureError::Interrupted(why),
         NoTree::TooMany | NoTree::Negative { .. } => EnclosureError::TooFine(BOXES),
     }
-}
-
-/// The Bernstein coefficients, without their binomial factors.
-fn bernstein(form: &BernsteinForm) -> Vec<FieldElement> {
-    let (m, n) = form.bidegree();
-    let unscaled = form.coefficients().map(|(r, s, value)| {
-        let scale = form.field().rational(Integer::one(), &binomial(m, r) * &binomial(n, s));
-        value.as_constant().map_or_else(|| form.field().zero(), |value| &value * &scale)
-    });
-    unscaled.collect()
 }

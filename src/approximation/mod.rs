@@ -30,4 +30,5 @@ pub use model::{Deviation, Fitted, Model};
 pub use objective::Objective;
 pub use point::{compare_at, decimal_at, simple_point_beyond};
 pub use seam::{FloatPatch, Seams};
+pub use tree::{NoTree, positive_tree};
 pub use unreachable::{Barrier, UnreachableError, exclude};

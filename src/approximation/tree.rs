@@ -1,15 +1,21 @@
 //! Trees of boxes on which Bernstein coefficients show a sign.
 
 use super::boxes::{Coefficients, Part};
-use crate::algebra::Integer;
+use super::fixed::fixed;
+use crate::algebra::{FieldElement, Integer};
 use crate::certificate::Tree;
 use crate::elimination::{Control, Interrupted};
 
 /// Why there is no tree.
 #[derive(Debug)]
-pub(super) enum NoTree {
+pub enum NoTree {
     /// The form is below zero at this corner (u, v) of a box, as numerators over 2^depths.
-    Negative { corner: (Integer, Integer), depths: (u32, u32) },
+    Negative {
+        /// The numerators.
+        corner: (Integer, Integer),
+        /// The exponents.
+        depths: (u32, u32),
+    },
     /// The boxes became too many.
     TooMany,
     /// Interrupted.
@@ -47,4 +53,21 @@ pub(super) fn tree(
         open.push(first);
     }
     Ok(tree)
+}
+
+/// Bits after the point for forms whose coefficients are not small.
+const BITS: u32 = 128;
+
+/// The tree for a form of this bidegree that is positive on the square, from its Bernstein coefficients, row by row.
+///
+/// # Errors
+/// [`NoTree`]
+pub fn positive_tree(
+    bidegree: (usize, usize),
+    coefficients: &[FieldElement],
+    at_most: usize,
+    control: &Control<'_>,
+) -> Result<Tree, NoTree> {
+    let values = coefficients.iter().map(|value| fixed(value, BITS)).collect();
+    tree(Coefficients { bidegree, values }, &Integer::one().shifted_left(BITS / 2), at_most, control)
 }

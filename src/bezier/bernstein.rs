@@ -62,6 +62,16 @@ impl BernsteinForm {
         (r * (self.bidegree.1 + 1) + s) as usize
     }
 
+    /// The Bernstein coefficients, without binomial factors, row by row; those that are not constant count as 0.
+    pub fn constants(&self) -> Vec<FieldElement> {
+        let (m, n) = self.bidegree();
+        let unscaled = self.coefficients().map(|(r, s, value)| {
+            let scale = self.field().rational(Integer::one(), &binomial(m, r) * &binomial(n, s));
+            value.as_constant().map_or_else(|| self.field().zero(), |value| &value * &scale)
+        });
+        unscaled.collect()
+    }
+
     /// The product: `c[r,s]` = Σ `a[i,j]`·`b[r−i,s−j]`.
     pub fn multiply(&self, other: &Self) -> Self {
         let bidegree = (self.bidegree.0 + other.bidegree.0, self.bidegree.1 + other.bidegree.1);

@@ -7,13 +7,13 @@ mod cap;
 mod exact;
 mod family;
 mod parts;
-mod spell;
 mod symmetry;
 mod weighted;
 
 pub use cap::{Cap, Interior, Symmetry};
+pub use exact::{net_statement, normalised};
 pub use family::{FAMILY, cap};
-pub use spell::spell;
+pub use crate::algebra::spell;
 
 /// A built-in statement.
 #[derive(Debug, Clone, Copy)]

@@ -1,8 +1,7 @@
 //! Edges whose end weights are powers of an unknown d.
 
 use super::cap::Entries;
-use super::spell::spell;
-use crate::algebra::FieldElement;
+use crate::algebra::{FieldElement, spell};
 use crate::bezier::RationalArc;
 
 /// A rational curve with homogeneous control points Σ arcₖ·dᵏ.

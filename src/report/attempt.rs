@@ -64,7 +64,7 @@ pub fn describe(
                 text += &solution(statement, theorem);
             }
             // Elimination proves nothing of this kind; what it is would be said like this.
-            Claim::Bounds { .. } | Claim::Unreachable { .. } => {
+            Claim::Bounds { .. } | Claim::Unreachable { .. } | Claim::Cover { .. } => {
                 let _ = writeln!(text, "PROVED  {name}: {}\n", theorem.kind());
             }
         },

@@ -1,6 +1,7 @@
 //! Elements of K as people write them in a statement: `-sqrt(3)/3`, `1 - 2*sqrt(2)/3`.
 
-use crate::algebra::{FieldElement, Integer};
+use super::field::FieldElement;
+use super::integer::Integer;
 
 /// An expression of the statement language for this element.
 pub fn spell(value: &FieldElement) -> String {

@@ -1,0 +1,169 @@
+//! Whether a net covers the polygon between its corners: the certificate, and what the checker makes of it.
+
+use crate::algebra::{FieldElement, Polynomial};
+use crate::approximation::{NoTree, positive_tree};
+use crate::bezier::BernsteinForm;
+use crate::certificate::{Argument, Certificate, Cover, EdgeTree, Tree};
+use crate::checker::{CheckError, Theorem, check_read};
+use crate::elimination::{Control, Interrupted};
+use crate::geometry::{Point, Vector, determinant, dot};
+use crate::statement::Statement;
+
+/// Boxes before a net is given up.
+const BOXES: usize = 4_000;
+
+/// Why there is no certificate.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CoverError {
+    /// Not positive, as far as the subdivision went.
+    #[error("{what} is not positive on the whole square{place}")]
+    NotPositive {
+        /// Of what.
+        what: &'static str,
+        /// Where it is not.
+        place: String,
+    },
+    /// Interrupted.
+    #[error("{0}")]
+    Interrupted(Interrupted),
+    /// The checker refused.
+    #[error("{0}")]
+    Refused(CheckError),
+}
+
+/// The certificate that this net, the only patch of the statement, covers the polygon between its corners.
+///
+/// # Errors
+/// [`CoverError`]
+pub fn cover(
+    statement: &Statement,
+    net: &[Vec<Point>],
+    control: &Control<'_>,
+) -> Result<(Certificate, Theorem), CoverError> {
+    let (m, n) = (net.len() - 1, net[0].len() - 1);
+    let weights: Vec<FieldElement> = net.iter().flatten().map(|[.., weight]| weight.clone()).collect();
+    let denominator = positive("the denominator W", (m, n), &weights, control)?;
+
+    let column = |j: usize| net.iter().map(|row| row[j].clone()).collect::<Vec<_>>();
+    let curves = [net[0].clone(), net[m].clone(), column(0), column(n)];
+    let points: Vec<bool> = curves.iter().map(|curve| is_point(curve)).collect();
+    let mut edges = [EdgeTree::Point, EdgeTree::Point, EdgeTree::Point, EdgeTree::Point];
+    for (number, curve) in curves.iter().enumerate().filter(|(number, _)| !points[*number]) {
+        let (a, b) = (&curve[0], &curve[curve.len() - 1]);
+        let middle: Vector = std::array::from_fn(|k| &(&a[k] * &b[3]) + &(&b[k] * &a[3]));
+        let along: Vec<FieldElement> = curve.iter().map(|point| dot(&middle, &vector(point))).collect();
+        let bidegree = if number < 2 { (0, n) } else { (m, 0) };
+        edges[number] = EdgeTree::Arc(positive("an edge's side of its arc", bidegree, &along, control)?);
+    }
+
+    let (mut bidegree, mut values) = jacobian(net);
+    if let Some(edge) = points.iter().position(|point| *point) {
+        (bidegree, values) = without_factor(edge, bidegree, values);
+    }
+    let inward = values[0].sign() == Some(crate::algebra::Sign::Negative);
+    if inward {
+        values = values.iter().map(|value| -value).collect();
+    }
+    let regular = positive("the Jacobian determinant", bidegree, &values, control)?;
+    let argument = Argument::Cover(Cover { values: vec![], denominator, edges, inward, regular });
+    let certificate = Certificate { statement: statement.hash(), argument };
+    match check_read(statement, &certificate) {
+        Ok(theorem) => Ok((certificate, theorem)),
+        Err(error) => Err(CoverError::Refused(error)),
+    }
+}
+
+fn positive(
+    what: &'static str,
+    bidegree: (usize, usize),
+    values: &[FieldElement],
+    control: &Control<'_>,
+) -> Result<Tree, CoverError> {
+    positive_tree(bidegree, values, BOXES, control).map_err(|why| match why {
+        NoTree::Interrupted(why) => CoverError::Interrupted(why),
+        NoTree::TooMany => CoverError::NotPositive { what, place: format!(", as far as {BOXES} boxes show") },
+        NoTree::Negative { corner: (u, v), depths: (i, j) } => {
+            let place = format!(": see (u, v) = ({u}/2^{i}, {v}/2^{j})");
+            CoverError::NotPositive { what, place }
+        }
+    })
+}
+
+fn vector([x, y, z, _]: &Point) -> Vector {
+    [x.clone(), y.clone(), z.clone()]
+}
+
+/// Whether all points have one direction.
+fn is_point(curve: &[Point]) -> bool {
+    let [a, b, c] = vector(&curve[0]);
+    curve.iter().all(|[x, y, z, _]| {
+        [(&b, z, &c, y), (&c, x, &a, z), (&a, y, &b, x)].iter().all(|(p, q, r, s)| *p * *q == *r * *s)
+    })
+}
+
+/// det[P, P_u, P_v]/(mn), of bidegree (3m−2, 3n−2): its Bernstein coefficients.
+///
+/// P is bilinear in Q₀₀, Q₁₀, Q₀₁, Q₁₁, forms of bidegree (m−1, n−1) (one step of de Casteljau in each direction), and its
+/// derivatives are m and n times those of the bilinear patch with these corners. For such a patch the determinant is bilinear
+/// too, and at each corner it is that of three of the points.
+fn jacobian(net: &[Vec<Point>]) -> ((usize, usize), Vec<FieldElement>) {
+    let (m, n) = (net.len() as u32 - 1, net[0].len() as u32 - 1);
+    let field = net[0][0][0].field();
+    let corner = |a: u32, b: u32| -> [BernsteinForm; 3] {
+        std::array::from_fn(|k| {
+            BernsteinForm::from_bernstein(field, (m - 1, n - 1), |i, j| {
+                Polynomial::constant(net[(i + a) as usize][(j + b) as usize][k].clone())
+            })
+        })
+    };
+    let [low, right, left, high] = [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)];
+    let minus = BernsteinForm::constant(field.integer(-1));
+    let product = |[a, b, c]: &[BernsteinForm; 3], [p, q, r]: &[BernsteinForm; 3], s: &[BernsteinForm; 3]| {
+        let minor = |x: &BernsteinForm, y: &BernsteinForm, z: &BernsteinForm, w: &BernsteinForm| {
+            x.multiply(w).add(&minus.multiply(&y.multiply(z)))
+        };
+        let [x, y, z] = s;
+        let terms = [(a, minor(q, r, y, z)), (b, minor(r, p, z, x)), (c, minor(p, q, x, y))];
+        let products = terms.iter().map(|(factor, minor)| factor.multiply(minor));
+        products.reduce(|sum, next| sum.add(&next)).expect("three terms")
+    };
+    let at = |a: u32, b: u32| {
+        BernsteinForm::from_bernstein(field, (1, 1), |i, j| {
+            Polynomial::constant(field.integer(i64::from((i, j) == (a, b))))
+        })
+    };
+    let terms = [
+        at(0, 0).multiply(&product(&low, &right, &left)),
+        at(1, 0).multiply(&product(&low, &right, &high)),
+        at(0, 1).multiply(&product(&low, &high, &left)),
+        at(1, 1).multiply(&product(&high, &left, &right)),
+    ];
+    let sum = terms.into_iter().reduce(|sum, next| sum.add(&next)).expect("four terms");
+    let (p, q) = sum.bidegree();
+    ((p as usize, q as usize), sum.constants())
+}
+
+/// A form that vanishes on the edge u = 0, u = 1, v = 0 or v = 1, divided by the distance from it.
+fn without_factor(
+    edge: usize,
+    (m, n): (usize, usize),
+    values: Vec<FieldElement>,
+) -> ((usize, usize), Vec<FieldElement>) {
+    let (in_u, at_end) = (edge < 2, edge % 2 == 1);
+    let bidegree = if in_u { (m - 1, n) } else { (m, n - 1) };
+    let degree = if in_u { m } else { n };
+    let field = values[0].field();
+    let mut rest = Vec::new();
+    for i in 0..=bidegree.0 {
+        for j in 0..=bidegree.1 {
+            let k = if in_u { i } else { j };
+            // (1−u)·Bₖᴰ⁻¹ = (D−k)/D·Bₖᴰ and u·Bₖᴰ⁻¹ = (k+1)/D·Bₖ₊₁ᴰ.
+            let share = if at_end { degree - k } else { k + 1 };
+            let (i, j) = if at_end { (i, j) } else if in_u { (i + 1, j) } else { (i, j + 1) };
+            let factor = field.rational((degree as u64).into(), (share as u64).into());
+            rest.push(&values[i * (n + 1) + j] * &factor);
+        }
+    }
+    (bidegree, rest)
+}
