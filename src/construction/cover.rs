@@ -1,12 +1,12 @@
 //! Whether a net covers the polygon between its corners: the certificate, and what the checker makes of it.
 
-use crate::algebra::{FieldElement, Polynomial};
+use crate::algebra::{FieldElement, Integer, Polynomial};
 use crate::approximation::{NoTree, positive_tree};
 use crate::bezier::BernsteinForm;
 use crate::certificate::{Argument, Certificate, Cover, EdgeTree, Tree};
 use crate::checker::{CheckError, Theorem, check_read};
 use crate::elimination::{Control, Interrupted};
-use crate::geometry::{Point, Vector, determinant, dot};
+use crate::geometry::{Point, Vector, dot};
 use crate::statement::Statement;
 
 /// Boxes before a net is given up.
@@ -110,10 +110,10 @@ fn is_point(curve: &[Point]) -> bool {
 fn jacobian(net: &[Vec<Point>]) -> ((usize, usize), Vec<FieldElement>) {
     let (m, n) = (net.len() as u32 - 1, net[0].len() as u32 - 1);
     let field = net[0][0][0].field();
-    let corner = |a: u32, b: u32| -> [BernsteinForm; 3] {
+    let corner = |a: usize, b: usize| -> [BernsteinForm; 3] {
         std::array::from_fn(|k| {
             BernsteinForm::from_bernstein(field, (m - 1, n - 1), |i, j| {
-                Polynomial::constant(net[(i + a) as usize][(j + b) as usize][k].clone())
+                Polynomial::constant(net[i + a][j + b][k].clone())
             })
         })
     };
@@ -128,7 +128,7 @@ fn jacobian(net: &[Vec<Point>]) -> ((usize, usize), Vec<FieldElement>) {
         let products = terms.iter().map(|(factor, minor)| factor.multiply(minor));
         products.reduce(|sum, next| sum.add(&next)).expect("three terms")
     };
-    let at = |a: u32, b: u32| {
+    let at = |a: usize, b: usize| {
         BernsteinForm::from_bernstein(field, (1, 1), |i, j| {
             Polynomial::constant(field.integer(i64::from((i, j) == (a, b))))
         })
@@ -161,7 +161,7 @@ fn without_factor(
             // (1−u)·Bₖᴰ⁻¹ = (D−k)/D·Bₖᴰ and u·Bₖᴰ⁻¹ = (k+1)/D·Bₖ₊₁ᴰ.
             let share = if at_end { degree - k } else { k + 1 };
             let (i, j) = if at_end { (i, j) } else if in_u { (i + 1, j) } else { (i, j + 1) };
-            let factor = field.rational((degree as u64).into(), (share as u64).into());
+            let factor = field.rational(Integer::from(degree as u32), Integer::from(share as u32));
             rest.push(&values[i * (n + 1) + j] * &factor);
         }
     }

@@ -64,7 +64,7 @@ impl Complex {
 }
 
 /// The positive square root, where K has one.
-pub fn positive_root(square: &FieldElement) -> Option<FieldElement> {
+pub(super) fn positive_root(square: &FieldElement) -> Option<FieldElement> {
     let root = square.square_root()?;
     Some(if root.sign()? == Sign::Negative { -&root } else { root })
 }

@@ -1,0 +1,219 @@
+//! The search for an exact patch with positive weights that covers its polygon regularly.
+
+use itertools::{Itertools, iproduct};
+
+use super::cover::{CoverError, cover};
+use super::degree::{Cell, Phase, classify};
+use crate::algebra::{FieldElement, Integer, Sign};
+use crate::bezier::RationalArc;
+use crate::catalogue::{net_statement, normalised};
+use crate::certificate::{Argument, Certificate};
+use crate::checker::{CheckError, Theorem, check_read};
+use crate::elimination::{Control, Interrupted};
+use crate::geometry::{
+    Moduli, Point, Polygon, Split, SpinorForm, biquartic, quadrilateral, triangle, without_phase,
+};
+use crate::statement::Statement;
+
+/// An exact patch.
+#[derive(Debug)]
+pub struct Construction {
+    /// Premultiplied control points, m + 1 rows of n + 1; weight 1 at u = v = 0.
+    pub net: Vec<Vec<Point>>,
+    /// The polygon, its corners at (u,v) = (0,0), (1,0), (1,1), (0,1); a triangle's second one is the edge u = 1.
+    pub placed: Polygon,
+    /// How it was made.
+    pub how: How,
+    /// The statement file that the net lies on the unit sphere.
+    pub text: String,
+    /// The statement.
+    pub statement: Statement,
+    /// That it lies on the sphere.
+    pub exact: (Certificate, Theorem),
+    /// That it covers the polygon, or why that is not shown.
+    pub cover: Result<(Certificate, Theorem), CoverError>,
+}
+
+/// The construction that an exact patch comes from, before its degrees were raised.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum How {
+    /// A spinor of bidegree (2,1), or (1,2): the image has bidegree (4,2), or (2,4).
+    Linear {
+        /// What was chosen.
+        moduli: Moduli,
+        /// Whether u and v are exchanged.
+        transposed: bool,
+        /// How many choices were tried before.
+        tried: usize,
+    },
+    /// A bilinear spinor: the image has bidegree (2,2).
+    Bilinear,
+    /// A spinor of bidegree (2,2) with the symmetry of the square, and the number that is free at its centre.
+    Biquartic(FieldElement),
+}
+
+/// Why there is no patch.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// There is none.
+    #[error("no exact patch")]
+    Impossible(Cell),
+    /// A number at the centre of a patch that has none.
+    #[error(
+        "--centre is for bidegrees from (4,4) on and a quadrilateral about the axis (0, 0, 1) with the symmetry of the square"
+    )]
+    NoCentre,
+    /// No construction worked in the field.
+    #[error("the construction needs numbers beyond the limits of exact signs")]
+    TooLarge,
+    /// Interrupted.
+    #[error("{0}")]
+    Interrupted(Interrupted),
+    /// The checker refused: a defect of this program.
+    #[error("the independent checker refused the net: {0}")]
+    Refused(CheckError),
+}
+
+/// An exact patch of this bidegree for a polygon: the first of the family that covers it, or if none is found to, the first.
+///
+/// `centre` is the free number of the symmetric biquartic patch.
+///
+/// # Errors
+/// [`Refusal`]
+pub fn construct(
+    polygon: &Polygon,
+    title: &str,
+    bidegree: (u32, u32),
+    centre: Option<&FieldElement>,
+    control: &Control<'_>,
+) -> Result<Construction, Refusal> {
+    let cell = classify(Phase::of(polygon), bidegree);
+    let base = match cell {
+        Cell::Exact(base) => base,
+        Cell::LongerWay => (2, 2),
+        Cell::NoSurface | Cell::NoClosure => return Err(Refusal::Impossible(cell)),
+    };
+    let one = polygon.field().one();
+    if bidegree.0 >= 4
+        && bidegree.1 >= 4
+        && is_square(polygon)
+        && let Some(form) = biquartic(polygon, centre.unwrap_or(&one))
+    {
+        let how = How::Biquartic(centre.unwrap_or(&one).clone());
+        return finish(title, bidegree, (form.image(), polygon.clone(), how), control);
+    }
+    if centre.is_some() {
+        return Err(Refusal::NoCentre);
+    }
+    let mut first = None;
+    for (tried, (scales, split, rotation)) in
+        iproduct!(scales(polygon), [Split::Even, Split::Low, Split::High], [0usize, 1]).enumerate()
+    {
+        control.check().map_err(Refusal::Interrupted)?;
+        let moduli = Moduli { rotation: 0, split, scales };
+        let Some(made) = candidate(polygon, base, moduli, rotation == 1, tried) else { continue };
+        let last = matches!(made.2, How::Bilinear) && !polygon.is_triangle();
+        let positive = made.0.iter().flatten().all(|[.., weight]| weight.sign() == Some(Sign::Positive));
+        if positive || first.is_none() {
+            let made = finish(title, bidegree, made, control)?;
+            if made.cover.is_ok() || last {
+                return Ok(made);
+            }
+            first.get_or_insert(made);
+        }
+        // A corner that is not convex leaves no hope: at it the Jacobian determinant is negative or zero.
+        if !polygon.is_convex() && !polygon.reversed().is_convex() {
+            break;
+        }
+    }
+    first.ok_or(Refusal::TooLarge)
+}
+
+/// A net, the polygon as it lies in it, and how it was made.
+type Made = (Vec<Vec<Point>>, Polygon, How);
+
+/// One member of the family; `other_pair`: the phase is carried by the other pair of edges, and u and v exchanged.
+fn candidate(
+    polygon: &Polygon,
+    base: (u32, u32),
+    moduli: Moduli,
+    other_pair: bool,
+    tried: usize,
+) -> Option<Made> {
+    if base == (2, 2) {
+        let moduli = Moduli { rotation: usize::from(other_pair), ..moduli };
+        let form = match polygon.is_triangle() {
+            true => triangle(polygon, &moduli)?,
+            false => without_phase(polygon, &moduli)?.0,
+        };
+        return Some((form.image(), polygon.rotated(moduli.rotation), How::Bilinear));
+    }
+    // (2,4): the corners the other way round from the first, and u and v exchanged at the end.
+    let transposed = base == (2, 4);
+    let rotation = usize::from(other_pair);
+    let (around, moduli) = match transposed {
+        true => {
+            let scales = [0, 3, 2, 1].map(|k| moduli.scales[k].clone()).to_vec();
+            (polygon.reversed().rotated(3), Moduli { scales, rotation, ..moduli })
+        }
+        false => (polygon.clone(), Moduli { rotation, ..moduli }),
+    };
+    let form = quadrilateral(&around, &moduli)?;
+    let (form, placed) = match transposed {
+        true => (exchanged(&form), polygon.rotated(3 * rotation)),
+        false => (form, polygon.rotated(rotation)),
+    };
+    Some((form.image(), placed, How::Linear { moduli, transposed, tried }))
+}
+
+fn exchanged(SpinorForm(rows): &SpinorForm) -> SpinorForm {
+    SpinorForm((0..rows[0].len()).map(|j| rows.iter().map(|row| row[j].clone()).collect()).collect())
+}
+
+/// All scales 1; then some corners with another one.
+fn scales(polygon: &Polygon) -> Vec<Vec<FieldElement>> {
+    let field = polygon.field();
+    let count = polygon.corners().len();
+    let one = field.one();
+    let patterns = (1u32..1 << count).filter(|pattern| pattern.trailing_zeros() == 0 || pattern.count_ones() == 1);
+    let others = iproduct!([(3i64, 4i64), (4, 3), (1, 2), (2, 1)], patterns).map(|((p, q), pattern)| {
+        let scale = field.rational(Integer::from(p), Integer::from(q));
+        (0..count).map(|k| if pattern >> k & 1 == 1 { scale.clone() } else { one.clone() }).collect()
+    });
+    [vec![one.clone(); count]].into_iter().chain(others).collect()
+}
+
+/// Whether a quarter turn about the axis (0, 0, 1) takes each corner to the next.
+fn is_square(polygon: &Polygon) -> bool {
+    let pairs = polygon.corners().iter().circular_tuple_windows();
+    polygon.corners().len() == 4 && pairs.clone().all(|([x, y, z], [p, q, r])| *p == -y && q == x && r == z)
+        || pairs.clone().all(|([x, y, z], [p, q, r])| p == y && *q == -x && r == z)
+}
+
+fn finish(
+    title: &str,
+    bidegree: (u32, u32),
+    (net, placed, how): Made,
+    control: &Control<'_>,
+) -> Result<Construction, Refusal> {
+    let net = elevated(&normalised(&net), bidegree);
+    let remark = "An exact patch: the generalised stereographic image of a spinor whose edges run along great circles.";
+    let (m, n) = bidegree;
+    let text = net_statement(&format!("{title}, bidegree ({m},{n}), exact"), remark, &net);
+    let statement = Statement::read(&text).map_err(|error| Refusal::Refused(error.into()))?;
+    let certificate = Certificate { statement: statement.hash(), argument: Argument::Exact(vec![]) };
+    let theorem = check_read(&statement, &certificate).map_err(Refusal::Refused)?;
+    let cover = match cover(&statement, &net, control) {
+        Err(CoverError::Interrupted(why)) => return Err(Refusal::Interrupted(why)),
+        other => other,
+    };
+    Ok(Construction { net, placed, how, text, statement, exact: (certificate, theorem), cover })
+}
+
+/// The same patch with higher degrees.
+pub fn elevated(net: &[Vec<Point>], (m, n): (u32, u32)) -> Vec<Vec<Point>> {
+    let raise = |points: Vec<Point>, degree: u32| RationalArc { points }.elevated_to(degree).points;
+    let columns = (0..net[0].len()).map(|j| raise(net.iter().map(|row| row[j].clone()).collect(), m)).collect_vec();
+    (0..=m as usize).map(|i| raise(columns.iter().map(|column| column[i].clone()).collect(), n)).collect()
+}
