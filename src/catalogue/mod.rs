@@ -10,10 +10,10 @@ mod parts;
 mod symmetry;
 mod weighted;
 
+pub use crate::algebra::spell;
 pub use cap::{Cap, Interior, Symmetry};
 pub use exact::{net_statement, normalised};
 pub use family::{FAMILY, cap};
-pub use crate::algebra::spell;
 
 /// A built-in statement.
 #[derive(Debug, Clone, Copy)]

@@ -7,7 +7,9 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use super::approximate::{self, ApproximateOptions};
 use super::audit::{self, AuditOptions};
 use super::bound::{self, BoundOptions};
+use super::construct::{self, ConstructOptions};
 use super::control::Limits;
+use super::degrees::{self, DegreesOptions};
 use super::outcome::{Failure, Outcome, Status};
 use super::table::{self, TableOptions};
 use super::{check, expand, list, prove};
@@ -84,6 +86,10 @@ enum Command {
     Approximate(ApproximateOptions),
     /// The best patches of the cap, degree by degree, with proved errors, and how six of them fit together.
     Table(TableOptions),
+    /// Construct a patch that covers a spherical polygon exactly, and verify it.
+    Construct(ConstructOptions),
+    /// Which bidegrees cover a spherical polygon exactly, with proofs.
+    Degrees(DegreesOptions),
     /// List the built-in statements.
     List,
 }
@@ -150,6 +156,8 @@ pub fn run() -> Result<Outcome, Failure> {
         Some(Command::Bound(options)) => bound::run(&options, format),
         Some(Command::Approximate(options)) => approximate::run(&options, format),
         Some(Command::Table(options)) => table::run(&options, format),
+        Some(Command::Construct(options)) => construct::run(&options, format),
+        Some(Command::Degrees(options)) => degrees::run(&options, format),
         Some(Command::List) => list::run(format),
     }
 }

@@ -22,10 +22,20 @@ pub(super) fn write_and_check(
         Some(directory) => directory.to_path_buf(),
         None => vacant(source.default_directory(), &source.statement)?,
     };
-    fs::create_dir_all(&directory)
+    write_pair(&directory, &source.text, certificate, name)
+}
+
+/// Writes a statement and a certificate into a directory that holds no other statement, and lets the checker judge them.
+pub(super) fn write_pair(
+    directory: &Path,
+    statement: &str,
+    certificate: &str,
+    name: &str,
+) -> Result<Files, Failure> {
+    fs::create_dir_all(directory)
         .map_err(|error| Failure(format!("{}: cannot be created: {error}", directory.display())))?;
     let files = Files { statement: directory.join("statement.toml"), certificate: directory.join(name) };
-    write_atomically(&files.statement, source.text.as_bytes())?;
+    write_atomically(&files.statement, statement.as_bytes())?;
     write_atomically(&files.certificate, certificate.as_bytes())?;
     match examine(&files.statement, &files.certificate)? {
         Ok(_) => Ok(files),

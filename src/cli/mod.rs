@@ -14,7 +14,11 @@ mod bound;
 #[cfg(not(feature = "prover"))]
 mod checker_only;
 #[cfg(feature = "prover")]
+mod construct;
+#[cfg(feature = "prover")]
 mod control;
+#[cfg(feature = "prover")]
+mod degrees;
 #[cfg(feature = "prover")]
 mod expand;
 #[cfg(feature = "prover")]
@@ -23,6 +27,8 @@ mod files;
 mod list;
 #[cfg(feature = "prover")]
 mod plot;
+#[cfg(feature = "prover")]
+mod polygon;
 #[cfg(feature = "prover")]
 mod prove;
 #[cfg(feature = "prover")]

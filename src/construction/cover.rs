@@ -160,7 +160,13 @@ fn without_factor(
             let k = if in_u { i } else { j };
             // (1−u)·Bₖᴰ⁻¹ = (D−k)/D·Bₖᴰ and u·Bₖᴰ⁻¹ = (k+1)/D·Bₖ₊₁ᴰ.
             let share = if at_end { degree - k } else { k + 1 };
-            let (i, j) = if at_end { (i, j) } else if in_u { (i + 1, j) } else { (i, j + 1) };
+            let (i, j) = if at_end {
+                (i, j)
+            } else if in_u {
+                (i + 1, j)
+            } else {
+                (i, j + 1)
+            };
             let factor = field.rational(Integer::from(degree as u32), Integer::from(share as u32));
             rest.push(&values[i * (n + 1) + j] * &factor);
         }

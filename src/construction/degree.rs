@@ -51,7 +51,13 @@ pub enum Cell {
 
 /// The answer for one bidegree.
 pub fn classify(phase: Phase, (m, n): (u32, u32)) -> Cell {
-    let carries = if m >= 4 { Some((4, 2)) } else if n >= 4 { Some((2, 4)) } else { None };
+    let carries = if m >= 4 {
+        Some((4, 2))
+    } else if n >= 4 {
+        Some((2, 4))
+    } else {
+        None
+    };
     match (m.min(n) >= 2, phase, carries) {
         (false, ..) => Cell::NoSurface,
         (true, Phase::None | Phase::Absorbed, _) => Cell::Exact((2, 2)),

@@ -11,7 +11,7 @@ use crate::certificate::{Argument, Certificate};
 use crate::checker::{CheckError, Theorem, check_read};
 use crate::elimination::{Control, Interrupted};
 use crate::geometry::{
-    Moduli, Point, Polygon, Split, SpinorForm, biquartic, quadrilateral, triangle, without_phase,
+    Moduli, Point, Polygon, SpinorForm, Split, biquartic, quadrilateral, triangle, without_phase,
 };
 use crate::statement::Statement;
 
@@ -176,7 +176,8 @@ fn scales(polygon: &Polygon) -> Vec<Vec<FieldElement>> {
     let field = polygon.field();
     let count = polygon.corners().len();
     let one = field.one();
-    let patterns = (1u32..1 << count).filter(|pattern| pattern.trailing_zeros() == 0 || pattern.count_ones() == 1);
+    let patterns =
+        (1u32..1 << count).filter(|pattern| pattern.trailing_zeros() == 0 || pattern.count_ones() == 1);
     let others = iproduct!([(3i64, 4i64), (4, 3), (1, 2), (2, 1)], patterns).map(|((p, q), pattern)| {
         let scale = field.rational(Integer::from(p), Integer::from(q));
         (0..count).map(|k| if pattern >> k & 1 == 1 { scale.clone() } else { one.clone() }).collect()
@@ -214,6 +215,7 @@ fn finish(
 /// The same patch with higher degrees.
 pub fn elevated(net: &[Vec<Point>], (m, n): (u32, u32)) -> Vec<Vec<Point>> {
     let raise = |points: Vec<Point>, degree: u32| RationalArc { points }.elevated_to(degree).points;
-    let columns = (0..net[0].len()).map(|j| raise(net.iter().map(|row| row[j].clone()).collect(), m)).collect_vec();
+    let columns =
+        (0..net[0].len()).map(|j| raise(net.iter().map(|row| row[j].clone()).collect(), m)).collect_vec();
     (0..=m as usize).map(|i| raise(columns.iter().map(|column| column[i].clone()).collect(), n)).collect()
 }

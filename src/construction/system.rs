@@ -13,7 +13,7 @@ use crate::statement::Statement;
 /// a_k, b_k with c_k = a_k + i·b_k.
 const UNKNOWNS: [&str; 8] = ["a1", "b1", "a2", "b2", "a3", "b3", "a4", "b4"];
 
-/// The statement file: Im(c_k·c̄_l·⟨s_k, s_l⟩) = 0 around the quadrilateral, no c_k zero.
+/// The statement file: Im(c̄_k·c_l·⟨s_k, s_l⟩) = 0 around the quadrilateral, no c_k zero.
 pub fn closing_statement(polygon: &Polygon, title: &str) -> String {
     let spinors = polygon.spinors();
     let mut text = format!(
@@ -27,8 +27,8 @@ pub fn closing_statement(polygon: &Polygon, title: &str) -> String {
     text += &format!("nonzero = [{}]\npolynomials = [\n", assumed.join(", "));
     for k in 1..=4 {
         let l = k % 4 + 1;
-        // c_k·c̄_l = (a_k a_l + b_k b_l) + i(b_k a_l − a_k b_l).
-        text += &format!("  \"p{k}*(b{k}*a{l} - a{k}*b{l}) + q{k}*(a{k}*a{l} + b{k}*b{l})\",\n");
+        // c̄_k·c_l = (a_k a_l + b_k b_l) + i(a_k b_l − b_k a_l).
+        text += &format!("  \"p{k}*(a{k}*b{l} - b{k}*a{l}) + q{k}*(a{k}*a{l} + b{k}*b{l})\",\n");
     }
     text += "]\n\n[define]\n";
     for k in 0..4 {
@@ -72,16 +72,16 @@ pub fn closing_certificate(polygon: &Polygon, statement: &Statement) -> Result<O
     let spinors = polygon.spinors();
     let variable = |index: usize| Polynomial::variable(field, index as u16);
     let one = || Polynomial::constant(field.one());
-    // c_k·c̄_l·g for any g.
+    // c̄_k·c_l·g for any g.
     let product = |k: usize, l: usize, g: &Complex| {
-        let conjugate = Parts { re: variable(2 * l), im: variable(2 * l + 1).scaled(&field.integer(-1)) };
-        Parts { re: variable(2 * k), im: variable(2 * k + 1) }.times(&conjugate).scaled(g)
+        let conjugate = Parts { re: variable(2 * k), im: variable(2 * k + 1).scaled(&field.integer(-1)) };
+        conjugate.times(&Parts { re: variable(2 * l), im: variable(2 * l + 1) }).scaled(g)
     };
     let g: Vec<Complex> = (0..4).map(|k| spinors[k].product(&spinors[(k + 1) % 4])).collect();
     let z: Vec<Parts> = (0..4).map(|k| product(k, (k + 1) % 4, &g[k])).collect();
-    let norm = |k: usize| variable(2 * k).multiply(&variable(2 * k)).add(
-        &variable(2 * k + 1).multiply(&variable(2 * k + 1)),
-    );
+    let norm = |k: usize| {
+        variable(2 * k).multiply(&variable(2 * k)).add(&variable(2 * k + 1).multiply(&variable(2 * k + 1)))
+    };
     let t = |k: usize| variable(8 + k);
     let negative = |polynomial: &Polynomial| polynomial.scaled(&field.integer(-1));
 
@@ -94,7 +94,7 @@ pub fn closing_certificate(polygon: &Polygon, statement: &Statement) -> Result<O
         steps.push(Step { combination: written, conclusion: polynomial_to_exact(&conclusion)? });
         Ok(())
     };
-    // Im z₁z₂ = |c₂|²·Im(c₁c̄₃g₁g₂), and |c₂|²·t₂ = 1; the other half likewise.
+    // Im z₁z₂ = |c₂|²·Im(c̄₁c₃g₁g₂), and |c₂|²·t₂ = 1; the other half likewise.
     let near = product(0, 2, &g[0].times(&g[1]));
     let far = product(2, 0, &g[2].times(&g[3]));
     for (first, passed, half) in [(0usize, 1usize, &near), (2, 3, &far)] {
@@ -128,9 +128,9 @@ pub fn closing_values(polygon: &Polygon) -> Option<Vec<FieldElement>> {
     let spinors = polygon.spinors();
     let mut values = vec![Complex::real(polygon.field().one())];
     for k in 0..3 {
-        // c_k·c̄_l·g real: c_l = c_k·g.
+        // c̄_k·c_l·g real: c_l = c_k·ḡ.
         let g = spinors[k].product(&spinors[k + 1]);
-        values.push(values[k].times(&g));
+        values.push(values[k].times(&g.conjugate()));
     }
     polygon.holonomy().im.is_zero().then(|| values.into_iter().flat_map(|c| [c.re, c.im]).collect())
 }

@@ -61,7 +61,7 @@ impl Carrier {
 
     /// The spinor at corner `to` in phase with `spinor` at corner `from`, their lengths in the ratio of the scales.
     ///
-    /// ⟨p, ⟨p,q⟩·q⟩ = |⟨p,q⟩|² > 0, and the length of ⟨p,q⟩·q is |p|·|q|²·√κ, κ = (1 + P·Q)/2. Where √κ is not in K, a
+    /// ⟨p, ⟨q,p⟩·q⟩ = |⟨p,q⟩|² > 0, and the length of ⟨q,p⟩·q is |p|·|q|²·√κ, κ = (1 + P·Q)/2. Where √κ is not in K, a
     /// rational near it stands for it; from even to odd corners on one side, from odd to even on the other, so that both
     /// directions of an edge agree.
     fn carried(&self, spinor: &Spinor, from: usize, to: usize) -> Option<Spinor> {
@@ -79,7 +79,7 @@ impl Carrier {
         };
         let ratio = &self.scales[to] * &self.scales[from].inverse()?;
         let factor = &ratio * &(&other.norm() * &root).inverse()?;
-        Some(other.scaled(&spinor.product(other).scaled(&factor)))
+        Some(other.scaled(&other.product(spinor).scaled(&factor)))
     }
 }
 

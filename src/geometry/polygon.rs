@@ -123,7 +123,7 @@ impl Polygon {
         self.corners.iter().map(Spinor::of).collect()
     }
 
-    /// Z = ⟨s₀,s₁⟩⟨s₁,s₂⟩…, whose argument is half the solid angle, up to its sign.
+    /// Z = ⟨s₁,s₂⟩⟨s₂,s₃⟩…, whose argument is half the solid angle, for any spinors of the corners.
     pub fn holonomy(&self) -> Complex {
         let spinors = self.spinors();
         let products = spinors.iter().circular_tuple_windows().map(|(p, q)| p.product(q));

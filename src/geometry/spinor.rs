@@ -30,11 +30,11 @@ impl Spinor {
         }
     }
 
-    /// ⟨p, q⟩ = p₀q̄₀ + p₁q̄₁.
+    /// ⟨p, q⟩ = p̄₀q₀ + p̄₁q₁.
     pub fn product(&self, other: &Self) -> Complex {
         let Spinor([a, b]) = self;
         let Spinor([c, d]) = other;
-        a.times(&c.conjugate()).plus(&b.times(&d.conjugate()))
+        a.conjugate().times(c).plus(&b.conjugate().times(d))
     }
 
     /// |α|² + |β|².

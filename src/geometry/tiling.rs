@@ -85,7 +85,8 @@ fn turn(rotation: &Rotation, direction: &[i64; 3]) -> [i64; 3] {
 fn rotations() -> Vec<Rotation> {
     let orders = (0..3).permutations(3);
     let all = orders.flat_map(|order| {
-        iproduct!([1, -1], [1, -1], [1, -1]).map(move |(a, b, c)| [(order[0], a), (order[1], b), (order[2], c)])
+        iproduct!([1, -1], [1, -1], [1, -1])
+            .map(move |(a, b, c)| [(order[0], a), (order[1], b), (order[2], c)])
     });
     let proper = |rotation: &Rotation| {
         let places = rotation.map(|(from, _)| from);

@@ -76,8 +76,8 @@ pub(in crate::checker) fn verify(
                 }
                 // A direction of the middle of the shorter arc.
                 let [of_a, of_b] = along.map(|end| at(&at(&expanded.weight, fixed), end));
-                let [of_a, of_b] = [(&a, &of_b), (&b, &of_a)]
-                    .map(|(corner, weight)| algebra.scaled(corner, weight, work));
+                let [of_a, of_b] =
+                    [(&a, &of_b), (&b, &of_a)].map(|(corner, weight)| algebra.scaled(corner, weight, work));
                 let middle =
                     algebra.sum(&of_a.map_err(limited)?, &of_b.map_err(limited)?, work).map_err(limited)?;
                 let side = algebra.dot(&middle, &curve, work).map_err(limited)?;
@@ -158,7 +158,8 @@ fn without_factor(polynomial: &Polynomial, end: End, degree: &mut u32) -> Option
 
 /// The same power product with another, not larger, exponent of one variable in it.
 fn with_exponent(monomial: &Monomial, variable: u16, exponent: u32) -> Monomial {
-    let kept = monomial.powers().iter().map(|&(other, e)| (other, if other == variable { exponent } else { e }));
+    let kept =
+        monomial.powers().iter().map(|&(other, e)| (other, if other == variable { exponent } else { e }));
     let powers = kept.filter(|&(_, exponent)| exponent > 0).collect();
     Monomial::new(monomial.mask(), powers).and_then(Result::ok).unwrap_or_else(|| monomial.clone())
 }
@@ -191,7 +192,8 @@ impl Algebra<'_> {
     }
 
     fn sum(&self, [a, b, c]: &Vector, [x, y, z]: &Vector, work: &mut Work) -> Result<Vector, Limit> {
-        let mut plus = |p: &Polynomial, q: &Polynomial| Polynomial::sum(&[p.clone(), q.clone()], self.field, work);
+        let mut plus =
+            |p: &Polynomial, q: &Polynomial| Polynomial::sum(&[p.clone(), q.clone()], self.field, work);
         Ok([plus(a, x)?, plus(b, y)?, plus(c, z)?])
     }
 }

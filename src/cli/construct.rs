@@ -1,0 +1,133 @@
+//! `prove-cap construct [POLYGON] --bidegree M N`: an exact patch, verified.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::arguments::{Format, to_json};
+use super::control::{Limits, under_control};
+use super::files::write_pair;
+use super::outcome::{Failure, Outcome, Status};
+use super::polygon::{PolygonOptions, Shape, number_of};
+use crate::construction::{Construction, Refusal, construct, tile};
+use crate::elimination::Control;
+use crate::exact::Radicands;
+use crate::report::Files;
+use crate::report::construction::{
+    constructed_data, constructed_text, impossible_text, tiled_data, tiled_text,
+};
+
+#[derive(Debug, Args)]
+pub(super) struct ConstructOptions {
+    #[command(flatten)]
+    polygon: PolygonOptions,
+    /// The degrees in u and v.
+    #[arg(long, num_args = 2, value_names = ["M", "N"], required = true, value_parser = clap::value_parser!(u32).range(1..=32))]
+    bidegree: Vec<u32>,
+    /// The number that is free at the centre of the patch with the symmetry of the square, from bidegree (4,4) on [default: 1].
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    centre: Option<String>,
+    /// Cover the whole sphere by images of the polygon, and prove that neighbours meet point for point.
+    #[arg(long, conflicts_with_all = ["corners", "centre"])]
+    tiling: bool,
+    /// Where statement.toml and the certificates are written [default: proofs/construct-POLYGON-MxN].
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    limits: Limits,
+}
+
+pub(super) fn run(options: &ConstructOptions, format: Format) -> Result<Outcome, Failure> {
+    let shape = Shape::find(&options.polygon)?;
+    let bidegree = (options.bidegree[0], options.bidegree[1]);
+    let centre = options.centre.as_deref().map(|text| {
+        let field = shape.polygon.field();
+        let trusted = Radicands::new(field.radicands().to_vec()).map_err(Failure::of)?;
+        number_of(text, field, &trusted).map_err(|Failure(fault)| Failure(format!("--centre: {fault}")))
+    });
+    let centre = centre.transpose()?;
+    if options.tiling {
+        return tiling(options, &shape, bidegree, format);
+    }
+    let made = under_control(&options.limits, |control| {
+        construct(&shape.polygon, &shape.name, bidegree, centre.as_ref(), control)
+    })?;
+    let made = match made {
+        Ok(made) => made,
+        Err(refusal) => return refused(&shape, bidegree, refusal, format),
+    };
+    let directory = options.output.clone().unwrap_or_else(|| default_directory(&shape, bidegree));
+    let files = write(&directory, &made)?;
+    let text = match format {
+        Format::Json => to_json(&constructed_data(&shape.name, &made, &files))?,
+        _ => constructed_text(&shape.name, &shape.polygon, &made, &files).map_err(Failure::of)?,
+    };
+    Ok(Outcome { text, status: Status::Established })
+}
+
+fn tiling(
+    options: &ConstructOptions,
+    shape: &Shape,
+    bidegree: (u32, u32),
+    format: Format,
+) -> Result<Outcome, Failure> {
+    let named = shape.named.expect("--corners excludes --tiling");
+    let tiled = match under_control(&options.limits, |control: &Control<'_>| tile(named, bidegree, control))?
+    {
+        Ok(tiled) => tiled,
+        Err(refusal) => return refused(shape, bidegree, refusal, format),
+    };
+    let directory = options.output.clone().unwrap_or_else(|| {
+        let directory = default_directory(shape, bidegree);
+        directory.with_file_name(format!("tiling-{}-{}x{}", shape.name, bidegree.0, bidegree.1))
+    });
+    for (number, face) in (1..).zip(&tiled.faces) {
+        write(&directory.join(format!("face-{number:02}")), face)?;
+    }
+    let whole =
+        tiled.faces.iter().all(|face| face.cover.is_ok()) && tiled.seams.iter().all(|seam| seam.meets);
+    let text = match format {
+        Format::Json => to_json(&tiled_data(&shape.name, &tiled, whole))?,
+        _ => tiled_text(&shape.name, bidegree, &tiled, whole, &directory),
+    };
+    Ok(Outcome { text, status: if whole { Status::Established } else { Status::Undecided } })
+}
+
+fn default_directory(shape: &Shape, (m, n): (u32, u32)) -> PathBuf {
+    Path::new("proofs").join(format!("construct-{}-{m}x{n}", shape.name))
+}
+
+/// The statement with both certificates.
+pub(super) fn write(directory: &Path, made: &Construction) -> Result<Vec<Files>, Failure> {
+    let ring = made.statement.ring();
+    let mut files = vec![write_pair(directory, &made.text, &made.exact.0.write(&ring), "certificate.txt")?];
+    if let Ok((certificate, _)) = &made.cover {
+        files.push(write_pair(directory, &made.text, &certificate.write(&ring), "cover.txt")?);
+    }
+    Ok(files)
+}
+
+pub(super) fn refused(
+    shape: &Shape,
+    bidegree: (u32, u32),
+    refusal: Refusal,
+    format: Format,
+) -> Result<Outcome, Failure> {
+    let (text, status) = match &refusal {
+        Refusal::Impossible(cell) => {
+            (impossible_text(&shape.name, &shape.polygon, bidegree, *cell), Status::Established)
+        }
+        Refusal::Interrupted(why) => (format!("UNDECIDED  {}: {why}\n", shape.name), Status::Undecided),
+        _ => return Err(Failure(format!("{}: {refusal}", shape.name))),
+    };
+    let text = match format {
+        Format::Json => {
+            let (verdict, rest) = text.split_once("  ").unwrap_or((text.as_str(), ""));
+            to_json(
+                &serde_json::json!({ "verdict": verdict, "name": shape.name, "bidegree": bidegree, "reason": rest.trim() }),
+            )?
+        }
+        _ => text,
+    };
+    Ok(Outcome { text, status })
+}

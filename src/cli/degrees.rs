@@ -1,0 +1,84 @@
+//! `prove-cap degrees [POLYGON]`: which bidegrees are exact, each answer with something that can be checked.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::arguments::{Format, to_json};
+use super::construct::{refused, write};
+use super::control::{Limits, under_control};
+use super::files::write_pair;
+use super::outcome::{Failure, Outcome, Status};
+use super::polygon::{PolygonOptions, Shape};
+use crate::construction::{Cell, Phase, classify, closing_certificate, closing_statement, construct};
+use crate::report::{Backing, degrees_data, degrees_text, explain};
+use crate::statement::Statement;
+
+#[derive(Debug, Args)]
+pub(super) struct DegreesOptions {
+    #[command(flatten)]
+    polygon: PolygonOptions,
+    /// The largest degrees in the table.
+    #[arg(long, value_name = "DEGREE", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=32))]
+    up_to: u32,
+    /// The argument for one bidegree.
+    #[arg(long, num_args = 2, value_names = ["M", "N"], value_parser = clap::value_parser!(u32).range(0..=32))]
+    explain: Option<Vec<u32>>,
+    /// Where what backs the table is written [default: proofs/degrees-POLYGON].
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    limits: Limits,
+}
+
+pub(super) fn run(options: &DegreesOptions, format: Format) -> Result<Outcome, Failure> {
+    let shape = Shape::find(&options.polygon)?;
+    if let Some(bidegree) = &options.explain {
+        let text = explain(&shape.name, &shape.polygon, (bidegree[0], bidegree[1]));
+        let text = match format {
+            Format::Json => {
+                to_json(&serde_json::json!({ "name": shape.name, "bidegree": bidegree, "argument": text }))?
+            }
+            _ => text,
+        };
+        return Ok(Outcome { text, status: Status::Established });
+    }
+    let directory =
+        options.output.clone().unwrap_or_else(|| Path::new("proofs").join(format!("degrees-{}", shape.name)));
+    let phase = Phase::of(&shape.polygon);
+    let mut backing = Backing::default();
+    if phase == Phase::Open {
+        let title = format!("Closing condition of the quadrilateral {}", shape.name);
+        let text = closing_statement(&shape.polygon, &title);
+        let statement = Statement::read(&text).map_err(|error| Failure(format!("{title}:{error}")))?;
+        let certificate = closing_certificate(&shape.polygon, &statement).map_err(Failure::of)?;
+        let certificate = certificate.ok_or_else(|| Failure(format!("{}: Z is real", shape.name)))?;
+        let certificate = certificate.write(&statement.ring());
+        backing.closing =
+            Some(write_pair(&directory.join("closing"), &text, &certificate, "certificate.txt")?);
+    }
+    let bases = [(2, 2), (4, 2), (2, 4)].into_iter().filter(|base| match classify(phase, *base) {
+        Cell::Exact(from) => from == *base,
+        Cell::LongerWay => true,
+        _ => false,
+    });
+    let bases: Vec<(u32, u32)> = bases.filter(|(m, n)| *m.max(n) <= options.up_to).collect();
+    let made = under_control(&options.limits, |control| {
+        let make = |base: &(u32, u32)| (*base, construct(&shape.polygon, &shape.name, *base, None, control));
+        bases.iter().map(make).collect::<Vec<_>>()
+    })?;
+    for (base, made) in made {
+        match made {
+            Ok(made) => {
+                let files = write(&directory.join(format!("{}x{}", base.0, base.1)), &made)?;
+                backing.nets.push((base, made, files));
+            }
+            Err(refusal) => return refused(&shape, base, refusal, format),
+        }
+    }
+    let text = match format {
+        Format::Json => to_json(&degrees_data(&shape.name, &shape.polygon, options.up_to, &backing))?,
+        _ => degrees_text(&shape.name, &shape.polygon, options.up_to, &backing),
+    };
+    Ok(Outcome { text, status: Status::Established })
+}
