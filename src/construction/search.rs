@@ -11,7 +11,7 @@ use crate::certificate::{Argument, Certificate};
 use crate::checker::{CheckError, Theorem, check_read};
 use crate::elimination::{Control, Interrupted};
 use crate::geometry::{
-    Moduli, Point, Polygon, SpinorForm, Split, biquartic, quadrilateral, triangle, without_phase,
+    Moduli, Point, Polygon, SpinorForm, Split, Vector, biquartic, quadrilateral, triangle, without_phase,
 };
 use crate::statement::Statement;
 
@@ -210,6 +210,27 @@ fn finish(
         other => other,
     };
     Ok(Construction { net, placed, how, text, statement, exact: (certificate, theorem), cover })
+}
+
+/// The number at the centre with which a net of bidegree (4,4) is the symmetric patch of the polygon between its corners.
+pub fn centre_of(net: &[Vec<Point>]) -> Option<FieldElement> {
+    if (net.len(), net[0].len()) != (5, 5) {
+        return None;
+    }
+    let corner = |i: usize, j: usize| -> Option<Vector> {
+        let [x, y, z, w] = &net[i][j];
+        let inverse = w.inverse()?;
+        Some([x, y, z].map(|coordinate| coordinate * &inverse))
+    };
+    let corners = vec![corner(0, 0)?, corner(4, 0)?, corner(4, 4)?, corner(0, 4)?];
+    let polygon = Polygon::new(corners).ok().filter(is_square)?;
+    let member = |centre: &FieldElement| Some(normalised(&biquartic(&polygon, centre)?.image()));
+    let field = polygon.field();
+    let net = normalised(net);
+    // The weight at (1,1) depends on it linearly.
+    let [at_zero, at_one] = [member(&field.zero())?, member(&field.one())?].map(|net| net[1][1][3].clone());
+    let centre = &(&net[1][1][3] - &at_zero) * &(&at_one - &at_zero).inverse()?;
+    (member(&centre)? == net).then_some(centre)
 }
 
 /// The same patch with higher degrees.

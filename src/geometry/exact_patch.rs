@@ -176,7 +176,7 @@ pub fn triangle(polygon: &Polygon, moduli: &Moduli) -> Option<SpinorForm> {
 
 /// A spinor of bidegree (2,2) for a quadrilateral that turns into itself when its corners are exchanged in a circle, all its edges
 /// alike, about the axis through (0, 0, 1): the phase is split evenly among all four. The spinor at the centre is that of
-/// (0, 0, 1), in phase with the middles of the edges, times a number that is free.
+/// the pole, in phase with the middles of the edges, times a number that is free.
 pub fn biquartic(polygon: &Polygon, centre: &FieldElement) -> Option<SpinorForm> {
     let carrier = Carrier::new(polygon, &Moduli::standard(polygon));
     let start = carrier.start();
@@ -198,7 +198,11 @@ pub fn biquartic(polygon: &Polygon, centre: &FieldElement) -> Option<SpinorForm>
         return None;
     }
     let zero = Complex::real(centre.field().zero());
-    let middle = Spinor([edges[0][1].0[0].scaled(centre), zero]);
+    let south = polygon.corners()[0][2].sign()? == crate::algebra::Sign::Negative;
+    let mut middle = [zero.clone(), zero];
+    let pole = usize::from(south);
+    middle[pole] = edges[0][1].0[pole].scaled(centre);
+    let middle = Spinor(middle);
     let [bottom, right, top, left] = <[[Spinor; 3]; 4]>::try_from(edges).ok()?;
     // u along the first edge, v along the last one backwards.
     let row = |a: &Spinor, b: &Spinor, c: &Spinor| vec![a.clone(), b.clone(), c.clone()];
