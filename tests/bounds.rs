@@ -37,10 +37,9 @@ fn paper() -> Vec<Polynomial> {
 /// The committed arguments by subdivision of one kind, with their statements.
 fn committed(kind: &str) -> Vec<(PathBuf, Statement, Certificate)> {
     let mut found = Vec::new();
-    for folder in
-        fs::read_dir("proofs").unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_dir())
-    {
-        let statement = Statement::read(&fs::read_to_string(folder.join("statement.toml")).unwrap()).unwrap();
+    for folder in fs::read_dir("proofs").unwrap().map(|entry| entry.unwrap().path()) {
+        let Ok(text) = fs::read_to_string(folder.join("statement.toml")) else { continue };
+        let statement = Statement::read(&text).unwrap();
         for file in fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()) {
             if file.file_name().unwrap().to_string_lossy().starts_with(kind) {
                 let text = fs::read(&file).unwrap();

@@ -1,4 +1,4 @@
-//! The command line, word for word: `tests/cmd/session.trycmd` and the commands of the README.
+//! The command line, word for word: `tests/cmd/session.trycmd` and the commands of the README and of proofs/STRUCTURE.md.
 //!
 //! `TRYCMD=overwrite cargo test --test cli` writes the outputs anew; read them before you commit them.
 #![cfg(feature = "prover")]
@@ -7,7 +7,9 @@
 fn commands_print_what_is_on_file() {
     let cases = trycmd::TestCases::new();
     cases.case("tests/cmd/*.trycmd");
-    if std::path::Path::new("README.md").exists() {
-        cases.case("README.md");
+    for page in ["README.md", "proofs/STRUCTURE.md"] {
+        if std::path::Path::new(page).exists() {
+            cases.case(page);
+        }
     }
 }

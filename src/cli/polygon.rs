@@ -91,8 +91,11 @@ pub(super) fn number_of(
     trusted: &Radicands,
 ) -> Result<FieldElement, Failure> {
     let read = Statement::read_constant(text, trusted, &mut Work::full());
+    // The place is that of one line, which is shown.
     let read = read.map_err(|error| {
-        Failure(format!("`{text}`, column {error}", error = error.to_string().trim_start_matches("1:")))
+        let message = error.to_string();
+        let place = |c: char| c.is_ascii_digit() || c == ':' || c == ' ';
+        Failure(message.trim_start_matches(place).to_owned())
     })?;
     polynomial_from_exact(field, &read)
         .as_constant()

@@ -155,7 +155,7 @@ fn candidate(
     let (around, moduli) = match transposed {
         true => {
             let scales = [0, 3, 2, 1].map(|k| moduli.scales[k].clone()).to_vec();
-            (polygon.reversed().rotated(3), Moduli { scales, rotation, ..moduli })
+            (polygon.reversed().rotated(3), Moduli { rotation, scales, ..moduli })
         }
         false => (polygon.clone(), Moduli { rotation, ..moduli }),
     };

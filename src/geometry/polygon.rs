@@ -157,7 +157,7 @@ fn cross([a, b, c, d]: [&Vector; 4]) -> Option<bool> {
         return Some(false);
     }
     // Where each arc meets the plane of the other: the same point, or its antipode?
-    let [to_c, to_d, to_a, to_b] = sides.each_ref().map(|side| absolute(side));
+    let [to_c, to_d, to_a, to_b] = sides.each_ref().map(absolute);
     let meet = |p: &Vector, q: &Vector, of_p: &FieldElement, of_q: &FieldElement| -> Vector {
         std::array::from_fn(|k| &(&p[k] * of_p) + &(&q[k] * of_q))
     };

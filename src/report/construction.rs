@@ -34,6 +34,12 @@ impl Numbers {
         value.map_or_else(|limit| limit.to_string(), |value| self.notation.polynomial(&value))
     }
 
+    /// In brackets where it is a sum or negative.
+    pub(super) fn factor(&self, value: &FieldElement) -> String {
+        let text = self.exact(value);
+        if text.contains(' ') || text.starts_with('−') { format!("({text})") } else { text }
+    }
+
     fn decimal(&self, value: &FieldElement) -> Result<String, Limit> {
         decimal(&polynomial_to_exact(&Computed::constant(value.clone()))?, PLACES, &self.field)
     }

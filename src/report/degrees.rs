@@ -70,7 +70,8 @@ pub fn degrees_text(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing
         let last = files.last().map_or_else(String::new, |files| files.certificate.display().to_string());
         let _ = writeln!(
             text,
-            "   E ({m},{n})  {}: VERIFIED  {last}",
+            "   {} ({m},{n})  {}: VERIFIED  {last}",
+            symbol(classify(phase, (*m, *n)), (*m, *n)),
             match kind {
                 "cover" => "covers the polygon, once and regularly",
                 _ => "lies on the sphere",
@@ -99,15 +100,14 @@ fn holonomy_text(polygon: &Polygon) -> String {
     }
     let (products, sum) = triple_products(polygon);
     let _ = writeln!(text, "Triple products [123] + [234] + [341] + [412], a positive multiple of Im Z");
-    let spelled: Vec<String> =
-        products.iter().map(|product| format!("({})", numbers.exact(product))).collect();
+    let spelled: Vec<String> = products.iter().map(|product| numbers.factor(product)).collect();
     let _ = writeln!(text, "   {} = {}", spelled.join(" + "), numbers.exact(&sum));
     if let Some(Complex { re, im }) = polygon.holonomy().direction() {
         let _ = writeln!(
             text,
-            "   Z/|Z| = ({}) + i·({}), whose argument is half the solid angle",
+            "   Z/|Z| = {} + i·{}, whose argument is half the solid angle",
             numbers.exact(&re),
-            numbers.exact(&im)
+            numbers.factor(&im)
         );
     }
     text
