@@ -48,6 +48,8 @@ bench-peers: peers
     benches/peers/run num=target/release/prove-cap gmp=target/gmp/release/prove-cap
     benches/peers/systems.py target/release/prove-cap
     hyperfine -N --warmup 1 "python3 benches/peers/grid.py" "target/release/prove-cap bound cap-2x2 --set w=0.467959158138040 --set z=2.370695072453977"
+    for net in degrees-cube/4x2 construct-cube-4x4; do python3 benches/peers/nets.py proofs/$net/statement.toml; \
+        hyperfine -N --warmup 1 "target/release/prove-cap check proofs/$net/statement.toml proofs/$net/certificate.txt"; done
 
 # Installs the peers; what cannot be installed is `not run` later. grobx needs CPython 3.12.
 peers:

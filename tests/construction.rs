@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, polynomial_from_exact, spell};
 use prove_cap::catalogue;
 use prove_cap::certificate::{Argument, Certificate, Cover, EdgeTree};
-use prove_cap::checker::{CheckError, Claim, Rejection, Theorem, check_read};
+use prove_cap::checker::{CheckError, Claim, Rejection, Theorem, check, check_read};
 use prove_cap::construction::{
     Cell, CoverError, How, Phase, Refusal, centre_of, classify, closing_certificate, closing_statement,
     closing_values, construct, cover, elevated, tile, triple_products,
@@ -380,4 +380,35 @@ fn a_centre_is_for_the_square() {
     );
     let made = construct(&cube(), "cube", (4, 4), centre.as_constant().as_ref(), &control()).unwrap();
     assert_eq!(centre_of(&made.net), centre.as_constant());
+}
+
+#[test]
+fn committed_covers_are_reproduced_to_the_byte() {
+    for named in POLYGONS {
+        let polygon = named.polygon();
+        for (m, n) in [(2, 2), (4, 2), (2, 4)] {
+            let folder = format!("proofs/degrees-{}/{m}x{n}", named.name);
+            let Ok(committed) = std::fs::read_to_string(format!("{folder}/cover.txt")) else { continue };
+            let made = construct(&polygon, named.name, (m, n), None, &control()).unwrap();
+            assert_eq!(made.text, std::fs::read_to_string(format!("{folder}/statement.toml")).unwrap());
+            let (certificate, _) = made.cover.unwrap();
+            assert_eq!(certificate.write(&made.statement.ring()), committed, "{folder}");
+        }
+    }
+}
+
+#[test]
+fn a_cover_with_a_damaged_byte_is_no_cover() {
+    let statement = std::fs::read("proofs/degrees-octant/2x2/statement.toml").unwrap();
+    let text = std::fs::read("proofs/degrees-octant/2x2/cover.txt").unwrap();
+    assert!(check(&statement, &text).is_ok());
+    for position in 0..text.len() {
+        for byte in [b'.', b'h', b'0', b'\n', b' ', text[position] ^ 1] {
+            let mut damaged = text.clone();
+            damaged[position] = byte;
+            assert!(damaged == text || check(&statement, &damaged).is_err(), "byte {position}: {byte}");
+        }
+        let shorter = [&text[..position], &text[position + 1..]].concat();
+        assert!(check(&statement, &shorter).is_err(), "without byte {position}");
+    }
 }

@@ -5,7 +5,7 @@
 use crate::algebra::{FieldElement, Integer};
 
 /// ⌊value·2^bits⌋, but for a few units.
-pub(super) fn fixed(value: &FieldElement, bits: u32) -> Integer {
+pub fn fixed(value: &FieldElement, bits: u32) -> Integer {
     let field = value.field();
     // √n to enough places that the numerators do not magnify the error.
     let longest = value.numerators().iter().map(Integer::bits).max().unwrap_or(0);

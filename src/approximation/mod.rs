@@ -26,6 +26,7 @@ pub use best::{Approximation, ApproximationError, Search, approximate, approxima
 pub use claim::{EndVerdict, Finding, judge};
 pub use enclosure::{Enclosure, EnclosureError, enclose, patch_at, quantity_of};
 pub use extremes::{Place, local_extremes};
+pub use fixed::fixed;
 pub use model::{Deviation, Fitted, Model};
 pub use objective::Objective;
 pub use point::{compare_at, decimal_at, simple_point_beyond};

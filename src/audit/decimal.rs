@@ -6,6 +6,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use crate::algebra::{MultiquadraticField, polynomial_from_exact};
+use crate::approximation::fixed;
 use crate::exact::{Limit, Polynomial, Radicands, Work, sign};
 
 /// A printed decimal: what it spells, and by how much the number meant may differ.
@@ -53,7 +55,25 @@ pub fn decimal(exact: &Polynomial, places: u32, field: &Radicands) -> Result<Str
         let bound = BigRational::new(n.clone(), unit.clone());
         Ok(compare(&size, &bound, field)? != Ordering::Less)
     };
-    Ok(spelled(&largest(below)?, places, negative))
+    let mut digits = guess(&size, places, field);
+    if !below(&digits)? && digits.is_positive() {
+        digits -= 1;
+    }
+    if !below(&digits)? || below(&(&digits + BigInt::one()))? {
+        digits = largest(below)?;
+    }
+    Ok(spelled(&digits, places, negative))
+}
+
+/// The digits in fixed point with some bits to spare, rounded up a little: right, or one too large where the number is just below a
+/// decimal; decided exactly by who asks.
+fn guess(size: &Polynomial, places: u32, field: &Radicands) -> BigInt {
+    let value = polynomial_from_exact(MultiquadraticField::new(field.values()), size).as_constant();
+    let bits = 4 * places + 64;
+    let digits = value.map(|value| {
+        (fixed(&value, bits).to_bigint() + BigInt::from(256)) * BigInt::from(10).pow(places) >> bits
+    });
+    digits.filter(|digits| !digits.is_negative()).unwrap_or_default()
 }
 
 /// The largest n ≥ 0 for which a decreasing property holds; it holds for 0.
