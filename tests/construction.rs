@@ -2,7 +2,7 @@
 #![cfg(feature = "prover")]
 
 use num_rational::BigRational;
-use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, polynomial_from_exact, spell};
+use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, Sign, polynomial_from_exact, spell};
 use prove_cap::catalogue;
 use prove_cap::certificate::{Argument, Certificate, Cover, EdgeTree};
 use prove_cap::checker::{CheckError, Claim, Rejection, Theorem, check, check_read};
@@ -12,7 +12,9 @@ use prove_cap::construction::{
 };
 use prove_cap::elimination::Control;
 use prove_cap::exact::Polynomial;
-use prove_cap::geometry::{NamedPolygon, POLYGONS, Point, Polygon, PolygonError, Vector};
+use prove_cap::geometry::{
+    Complex, NamedPolygon, POLYGONS, Point, Polygon, PolygonError, Spinor, SpinorForm, Vector,
+};
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::{Statement, Subject};
 
@@ -150,6 +152,28 @@ fn edges_in_small_circles_are_refused() {
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Cover(cover) };
     let refused = rejection(check_read(&statement, &certificate));
     assert_eq!(refused, Rejection::Edge { edge: "u=0", expected: "an arc of a great circle" });
+}
+
+/// Two thirds of a hemisphere: from the pole to an edge that runs through 240° of a great circle. Regular, with positive weights, but not
+/// the triangle between its corners.
+#[test]
+fn an_edge_that_runs_the_longer_way_is_refused() {
+    let field = MultiquadraticField::new(&[3]);
+    let half = field.rational(Integer::from(1u32), Integer::from(2u32));
+    let root = &field.integer(3).square_root().unwrap() * &half;
+    let real =
+        |x: &FieldElement, y: &FieldElement| Spinor([Complex::real(x.clone()), Complex::real(y.clone())]);
+    let edge = [real(&field.one(), &field.zero()), real(&half, &root), real(&-&half, &root)];
+    // The pole (0, 1, 0), turned along with the edge.
+    let pole = Spinor([Complex::real(field.one()), Complex { re: field.zero(), im: field.one() }]);
+    let turned = |Spinor([x, y]): &Spinor| pole.scaled(&Complex { re: x.re.clone(), im: -&y.re });
+    let poles = edge.iter().map(turned).collect();
+    let net = SpinorForm(vec![edge.to_vec(), poles]).image();
+    assert!(net.iter().flatten().all(|[.., weight]| weight.sign() == Some(Sign::Positive)));
+    let statement = Statement::read(&catalogue::net_statement("240 degrees", "", &net)).unwrap();
+    let mut edges = arcs();
+    edges[1] = EdgeTree::Point;
+    assert_eq!(rejection(simple_cover(&statement, edges)), Rejection::Sign { tree: "u=0", node: 1 });
 }
 
 #[test]
