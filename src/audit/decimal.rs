@@ -71,7 +71,7 @@ fn guess(size: &Polynomial, places: u32, field: &Radicands) -> BigInt {
     let value = polynomial_from_exact(MultiquadraticField::new(field.values()), size).as_constant();
     let bits = 4 * places + 64;
     let digits = value.map(|value| {
-        (fixed(&value, bits).to_bigint() + BigInt::from(256)) * BigInt::from(10).pow(places) >> bits
+        ((fixed(&value, bits).to_bigint() + BigInt::from(256)) * BigInt::from(10).pow(places)) >> bits
     });
     digits.filter(|digits| !digits.is_negative()).unwrap_or_default()
 }
