@@ -52,5 +52,7 @@ pub mod audit;
 pub mod figure;
 #[cfg(feature = "prover")]
 pub mod report;
+#[cfg(feature = "prover")]
+pub mod export;
 
 pub mod cli;

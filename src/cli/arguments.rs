@@ -10,6 +10,7 @@ use super::bound::{self, BoundOptions};
 use super::construct::{self, ConstructOptions};
 use super::control::Limits;
 use super::degrees::{self, DegreesOptions};
+use super::export::{self, ExportOptions};
 use super::outcome::{Failure, Outcome, Status};
 use super::table::{self, TableOptions};
 use super::{check, expand, list, prove};
@@ -90,6 +91,8 @@ enum Command {
     Construct(ConstructOptions),
     /// Which bidegrees cover a spherical polygon exactly, with proofs.
     Degrees(DegreesOptions),
+    /// Write the proof in another language: for Coq, for a computer-algebra system.
+    Export(ExportOptions),
     /// List the built-in statements.
     List,
 }
@@ -158,6 +161,7 @@ pub fn run() -> Result<Outcome, Failure> {
         Some(Command::Table(options)) => table::run(&options, format),
         Some(Command::Construct(options)) => construct::run(&options, format),
         Some(Command::Degrees(options)) => degrees::run(&options, format),
+        Some(Command::Export(options)) => export::run(&options, format),
         Some(Command::List) => list::run(format),
     }
 }

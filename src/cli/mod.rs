@@ -22,6 +22,8 @@ mod degrees;
 #[cfg(feature = "prover")]
 mod expand;
 #[cfg(feature = "prover")]
+mod export;
+#[cfg(feature = "prover")]
 mod files;
 #[cfg(feature = "prover")]
 mod list;
