@@ -1,5 +1,7 @@
 //! The planes in which the edges of an exact patch lie.
 
+use std::fmt;
+
 use itertools::Itertools;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -19,13 +21,14 @@ pub(super) struct Edge {
 
 impl Edge {
     /// The name of the plane in Coq.
-    pub(super) fn name(&self) -> String {
+    pub(super) fn plane_name(&self) -> String {
         format!("plane_{}{}", self.fixed, self.at)
     }
+}
 
-    /// Why there is no theorem about it.
-    pub(super) fn remark(&self) -> String {
-        format!("The edge {} = {} lies in no plane, or in more than one", self.fixed, self.at)
+impl fmt::Display for Edge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}", self.fixed, self.at)
     }
 }
 

@@ -5,14 +5,16 @@
 //! library's), grids of Bernstein coefficients, steps. The certificate is data, and Coq computes that it is one. The theorem follows.
 //! No axioms but those of Coq's real numbers; the file prints them.
 
+mod data;
 mod edges;
+mod exact;
+mod impossible;
 mod names;
-mod patch;
 mod spell;
 mod system;
+mod unknowns;
 
 use super::case::{Case, ExportError, Reasoning};
-use crate::exact::Polynomial;
 use crate::statement::Subject;
 
 const STATEMENT: &str = include_str!("statement.v");
@@ -30,22 +32,55 @@ const POSITIVE: &str = include_str!("positive.v");
 
 /// What a claim contributes to its file.
 struct Parts {
-    /// What is proved, in words.
-    summary: String,
+    /// What is proved, in words: lines of a comment.
+    summary: Vec<String>,
     /// Definitions that a reader must understand.
     definitions: String,
     /// The pieces of the replay beyond the common ones.
     replay: Vec<&'static str>,
     /// The certificate, and what Coq computes of it.
     data: String,
-    /// The theorems.
-    theorems: String,
+    /// The theorems, each with its proof.
+    theorems: Vec<Theorem>,
+}
+
+/// A theorem with its proof.
+struct Theorem {
+    /// What it says, in words; a full stop is added.
+    comment: String,
+    name: String,
+    /// The proposition: what follows the colon, with a blank or a new line in front.
+    proposition: String,
+    /// Tactics, a line each.
+    proof: Vec<String>,
+}
+
+impl Theorem {
+    fn text(&self) -> String {
+        let proof: String =
+            self.proof.iter().filter(|line| !line.is_empty()).map(|line| format!("  {line}\n")).collect();
+        format!(
+            "(** {}. *)\nTheorem {} :{}.\nProof.\n{proof}Qed.\n\n",
+            self.comment, self.name, self.proposition
+        )
+    }
+}
+
+/// The axioms that the theorems rest on are printed, so that nobody need believe that there are no others.
+fn assumptions(theorems: &[Theorem]) -> String {
+    let names: Vec<&str> = theorems.iter().map(|theorem| theorem.name.as_str()).collect();
+    match names.as_slice() {
+        [only] => format!("Print Assumptions {only}.\n"),
+        several => {
+            format!("Definition theorems := ({}).\n\nPrint Assumptions theorems.\n", several.join(", "))
+        }
+    }
 }
 
 pub(super) fn export(case: &Case) -> Result<String, ExportError> {
     let parts = match (&case.subject, &case.argument) {
-        (Subject::Patch(patch), Reasoning::Impossible(_)) => patch::impossible(case, patch),
-        (Subject::Patch(patch), Reasoning::Exact(_)) => patch::exact(case, patch),
+        (Subject::Patch(patch), Reasoning::Impossible(_)) => impossible::parts(case, patch),
+        (Subject::Patch(patch), Reasoning::Exact(_)) => exact::parts(case, patch),
         (Subject::System(equations), Reasoning::Impossible(_)) => system::impossible(case, equations),
         (Subject::System(equations), Reasoning::Exact(_)) => system::exact(case, equations),
     };
@@ -58,7 +93,7 @@ pub(super) fn export(case: &Case) -> Result<String, ExportError> {
 
     Part 1 and part 4 are to be read: what is defined, and what is proved of it. Part 2 is a checker of certificates with the proof
     that it is right; part 3 is a certificate. Coq verifies all of it:  coqc FILE.v  (8.16 or later; no library but its own).
-    The last line lists the axioms that the theorem rests on: those of Coq's real numbers.
+    The last lines print the axioms that the theorems rest on: those of Coq's real numbers.
 
     Written by prove-cap; statement sha256 {hash} *)
 
@@ -86,80 +121,14 @@ End Data.
 
 (** * 4. The theorem *)
 
-{theorems}",
+{theorems}{axioms}",
         title = case.title,
         hash = case.hash,
-        summary = parts.summary,
+        summary = parts.summary.iter().map(|line| format!("    {line}")).collect::<Vec<_>>().join("\n"),
         definitions = parts.definitions,
         radicands = spell::list(case.field.values().iter().map(u32::to_string)),
         data = parts.data,
-        theorems = parts.theorems,
+        theorems = parts.theorems.iter().map(Theorem::text).collect::<String>(),
+        axioms = assumptions(&parts.theorems),
     ))
-}
-
-/// What theorems say of the unknowns, in Coq.
-struct Unknowns {
-    /// Their names, in order.
-    names: Vec<String>,
-    /// `forall w z : R, w <> 0 -> `, or nothing.
-    quantified: String,
-    /// ` (w z : R)` behind the name of a definition.
-    parameters: String,
-    /// ` w z` behind the name in use.
-    arguments: String,
-    /// `intros w z H1.`: the start of a proof.
-    intros: String,
-    /// The values of all variables: unknowns, then 1/d for each assumption d ≠ 0.
-    values: String,
-    /// Proves that each 1/d is the inverse of d.
-    inverses: String,
-}
-
-impl Unknowns {
-    fn of(case: &Case) -> Unknowns {
-        let names: Vec<String> = case.unknowns.iter().map(|unknown| names::name(unknown)).collect();
-        let joined = names.join(" ");
-        let of_assumption = |assumed: &Polynomial| spell::argument(assumed, &case.field, &names);
-        let hypotheses = (1..=case.assumptions.len()).map(|k| format!("H_{k}")).collect::<Vec<_>>();
-        let conditions: String =
-            case.assumptions.iter().map(|assumed| format!("{} <> 0 -> ", of_assumption(assumed))).collect();
-        let forall = if names.is_empty() { String::new() } else { format!("forall {joined} : R, ") };
-        let introduced = [joined.clone(), hypotheses.join(" ")].join(" ");
-        let inverses: String =
-            hypotheses.iter().map(|name| format!("constructor; [exact (Rinv_r _ {name}) |]; ")).collect();
-        Unknowns {
-            quantified: format!("{forall}{conditions}"),
-            parameters: if names.is_empty() { String::new() } else { format!(" ({joined} : R)") },
-            arguments: if names.is_empty() { String::new() } else { format!(" {joined}") },
-            intros: if introduced.trim().is_empty() {
-                String::new()
-            } else {
-                format!("intros {}.", introduced.trim())
-            },
-            values: spell::list(
-                names
-                    .iter()
-                    .cloned()
-                    .chain(case.assumptions.iter().map(|assumed| format!("/ {}", of_assumption(assumed)))),
-            ),
-            inverses: format!("{inverses}constructor"),
-            names,
-        }
-    }
-
-    /// A function applied to the unknowns, as an argument.
-    fn applied(&self, function: &str) -> String {
-        if self.names.is_empty() { function.into() } else { format!("({function}{})", self.arguments) }
-    }
-
-    /// A table of names for people, where some could not be kept.
-    fn renamed(&self, case: &Case) -> String {
-        let changed = case.unknowns.iter().zip(&self.names).filter(|(unknown, name)| unknown != name);
-        let rows: Vec<String> = changed
-            .map(|(unknown, name)| {
-                format!("{name} is called {} in the statement", super::text::harmless(unknown))
-            })
-            .collect();
-        if rows.is_empty() { String::new() } else { format!("\n    Names: {}.", rows.join("; ")) }
-    }
 }

@@ -44,8 +44,7 @@ fn size(
         1 => names[usize::from(variable)].clone(),
         _ => format!("{} ^ {exponent}", names[usize::from(variable)]),
     };
-    let factors: Vec<String> =
-        number.into_iter().chain(monomial.powers().iter().map(power)).collect();
+    let factors: Vec<String> = number.into_iter().chain(monomial.powers().iter().map(power)).collect();
     if factors.is_empty() { "1".into() } else { factors.join(" * ") }
 }
 
@@ -100,4 +99,9 @@ pub(super) fn list(items: impl IntoIterator<Item = String>) -> String {
 /// A list with one item on a line.
 pub(super) fn lines(items: impl IntoIterator<Item = String>) -> String {
     format!("[{}]", items.into_iter().join(";\n   "))
+}
+
+/// A list of lists, an item on a line.
+pub(super) fn rows(rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    lines(rows.into_iter().map(|row| format!("[{}]", row.join(";\n    "))))
 }
