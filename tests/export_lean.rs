@@ -1,66 +1,21 @@
 //! Lean texts: every identity that they leave to `ring` is one, and nothing that others wrote is in their code.
 #![cfg(feature = "prover")]
 
+mod cases;
 mod lean;
 
 use std::fs;
-use std::path::Path;
 
+use cases::{LARGEST, committed, damaged, folders};
 use lean::{Environment, MODULUS, Verified, add, multiply, power, verify};
 use num_bigint::BigInt;
-use prove_cap::certificate::{Argument, Certificate, Premise, Step};
+use prove_cap::certificate::{Argument, Certificate, Premise};
 use prove_cap::exact::{Polynomial, Work};
 use prove_cap::export::{Case, ExportError, Target, export};
 use prove_cap::statement::{COORDINATES, Statement, Subject};
 
-/// All committed proofs but `cap-4x3`, whose text is a megabyte.
-const PROOFS: [&str; 26] = [
-    "cap-2x2",
-    "cap-2x2-centre",
-    "cap-2x2-weights",
-    "cap-2x2-free",
-    "cap-2x2-polynomial",
-    "cap-3x2",
-    "cap-3x3",
-    "cap-3x3-c4",
-    "cap-3x3-d4",
-    "cap-4x2",
-    "cap-4x2-exact",
-    "cap-4x4-d4",
-    "cobb",
-    "octant",
-    "stereographic",
-    "construct-cube-4x4",
-    "degrees-cube/closing",
-    "degrees-cube/2x4",
-    "degrees-cube/4x2",
-    "degrees-deltoidal-icositetrahedron/closing",
-    "degrees-deltoidal-icositetrahedron/2x4",
-    "degrees-deltoidal-icositetrahedron/4x2",
-    "degrees-octant/2x2",
-    "degrees-rhombic-dodecahedron/closing",
-    "degrees-rhombic-dodecahedron/2x4",
-    "degrees-rhombic-dodecahedron/4x2",
-];
-
-fn read(directory: &str) -> (Statement, Certificate) {
-    let file = |name: &str| fs::read_to_string(Path::new("proofs").join(directory).join(name)).unwrap();
-    let statement = Statement::read(&file("statement.toml")).unwrap();
-    let unknowns = statement.unknowns().len();
-    let certificate =
-        Certificate::read(file("certificate.txt").as_bytes(), &statement.ring(), unknowns, &mut Work::full());
-    (statement, certificate.unwrap())
-}
-
 fn written(statement: &Statement, certificate: &Certificate) -> String {
     export(&Case::new(statement, certificate).unwrap(), Target::Lean).unwrap()
-}
-
-fn with_steps(certificate: &Certificate, change: impl FnOnce(&mut Vec<Step>)) -> Certificate {
-    let mut changed = certificate.clone();
-    let Argument::Impossible(steps) = &mut changed.argument else { panic!("a refutation") };
-    change(steps);
-    changed
 }
 
 /// A statement over Q(√2) in x and y, and a certificate, in the texts' own words.
@@ -74,8 +29,8 @@ fn small(keys: &str, argument: &str) -> (Statement, Certificate) {
 
 #[test]
 fn every_identity_of_every_committed_proof_holds() {
-    for name in PROOFS {
-        let (statement, certificate) = read(name);
+    for name in folders() {
+        let (statement, certificate) = committed(&name);
         let verified =
             verify(&written(&statement, &certificate)).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(verified.linear_combinations > 1 && verified.definitions > 3, "{name}: {verified:?}");
@@ -86,15 +41,15 @@ fn every_identity_of_every_committed_proof_holds() {
 #[test]
 #[ignore = "a megabyte of text"]
 fn those_of_the_largest_too() {
-    let (statement, certificate) = read("cap-4x3");
+    let (statement, certificate) = committed(LARGEST);
     verify(&written(&statement, &certificate)).unwrap();
 }
 
 /// The definitions say what the statement says: X(u,v), …, W(u,v) and the surface at random points, with any numbers as roots.
 #[test]
 fn the_definitions_are_the_statement() {
-    for name in PROOFS {
-        let (statement, certificate) = read(name);
+    for name in folders() {
+        let (statement, certificate) = committed(&name);
         let case = Case::new(&statement, &certificate).unwrap();
         let Subject::Patch(patch) = &case.subject else { continue };
         let text = export(&case, Target::Lean).unwrap();
@@ -153,7 +108,7 @@ fn the_definitions_are_the_statement() {
 
 #[test]
 fn the_theorem_is_the_geometric_one() {
-    let (statement, certificate) = read("cap-2x2");
+    let (statement, certificate) = committed("cap-2x2");
     let text = written(&statement, &certificate);
     let point = |name: char| format!("({name} (Real.sqrt 2) (Real.sqrt 3) x1 x2 u v)");
     let theorem = format!(
@@ -170,7 +125,7 @@ fn the_theorem_is_the_geometric_one() {
         assert_eq!(text.matches(word).count(), usize::from(word == "sorry"), "only the comment names it");
     }
 
-    let (statement, certificate) = read("cap-2x2-weights");
+    let (statement, certificate) = committed("cap-2x2-weights");
     let text = written(&statement, &certificate);
     assert!(text.contains("theorem impossible (x1 x2 x3 x4 x5 : ℝ) (n1 : nonzero1 (Real.sqrt 2) (Real.sqrt 3) x1 x2 x3 x4 x5 ≠ 0) :"));
     assert!(text.contains("(mul_inv_cancel₀ n1)"));
@@ -180,7 +135,7 @@ fn the_theorem_is_the_geometric_one() {
 #[test]
 fn damage_shows_where_it_is() {
     for name in ["cap-2x2", "cap-2x2-weights", "cap-3x3-d4", "degrees-cube/closing"] {
-        let (statement, certificate) = read(name);
+        let (statement, certificate) = committed(name);
         let Argument::Impossible(steps) = &certificate.argument else { panic!("{name}") };
         for (position, step) in steps.iter().enumerate() {
             let nudged = |polynomial: &Polynomial| {
@@ -192,11 +147,11 @@ fn damage_shows_where_it_is() {
                 .unwrap()
             };
             let twins = [
-                with_steps(&certificate, |steps| steps[position].conclusion = nudged(&step.conclusion)),
-                with_steps(&certificate, |steps| {
+                damaged(&certificate, |steps| steps[position].conclusion = nudged(&step.conclusion)),
+                damaged(&certificate, |steps| {
                     steps[position].combination[0].1 = nudged(&step.combination[0].1);
                 }),
-                with_steps(&certificate, |steps| {
+                damaged(&certificate, |steps| {
                     let multiplier = &mut steps[position].combination[0].1;
                     *multiplier = multiplier.negate();
                 }),
@@ -206,10 +161,10 @@ fn damage_shows_where_it_is() {
                 assert_eq!(error, format!("s_{}: not an identity", position + 1), "{name}");
             }
         }
-        let short = with_steps(&certificate, |steps| drop(steps.pop()));
+        let short = damaged(&certificate, |steps| drop(steps.pop()));
         let error = verify(&written(&statement, &short)).unwrap_err();
         assert!(error.starts_with("the last line is not 1 = 0"), "{name}: {error}");
-        let empty = with_steps(&certificate, Vec::clear);
+        let empty = damaged(&certificate, Vec::clear);
         assert!(verify(&written(&statement, &empty)).is_err(), "{name}");
     }
 }
@@ -218,7 +173,7 @@ fn damage_shows_where_it_is() {
 #[test]
 fn the_verifier_notices_changed_texts() {
     for name in ["cap-2x2", "octant"] {
-        let (statement, certificate) = read(name);
+        let (statement, certificate) = committed(name);
         let text = written(&statement, &certificate);
         let start = text.find("def F0").unwrap();
         let mut tried = 0;
@@ -249,7 +204,7 @@ fn the_verifier_notices_changed_texts() {
 #[test]
 fn exact_claims_end_in_a_theorem_for_all_parameters() {
     for name in ["cobb", "octant", "cap-4x2-exact"] {
-        let (statement, certificate) = read(name);
+        let (statement, certificate) = committed(name);
         let text = written(&statement, &certificate);
         assert!(text.contains("theorem exact_patch (u v : ℝ) :"), "{name}");
         assert!(text.contains("theorem some_weight"), "{name}");
@@ -315,7 +270,7 @@ net = [
 
 #[test]
 fn what_there_is_not_is_an_error() {
-    let (statement, certificate) = read("cap-2x2");
+    let (statement, certificate) = committed("cap-2x2");
     for premise in [
         Premise::Coefficient(5, 0),
         Premise::Equation(1),
@@ -323,7 +278,7 @@ fn what_there_is_not_is_an_error() {
         Premise::Step(0),
         Premise::Step(3),
     ] {
-        let wrong = with_steps(&certificate, |steps| steps[2].combination[0].0 = premise);
+        let wrong = damaged(&certificate, |steps| steps[2].combination[0].0 = premise);
         let error = export(&Case::new(&statement, &wrong).unwrap(), Target::Lean).unwrap_err();
         assert!(matches!(error, ExportError::Premise(of) if of == premise), "{error}");
     }
@@ -343,7 +298,7 @@ fn code(text: &str) -> &str {
 #[test]
 fn hostile_titles_and_names_change_nothing_but_the_comment() {
     let text = fs::read_to_string("proofs/cap-2x2/statement.toml").unwrap();
-    let (statement, certificate) = read("cap-2x2");
+    let (statement, certificate) = committed("cap-2x2");
     let plain = written(&statement, &certificate);
     let title = text.lines().find(|line| line.starts_with("title")).unwrap();
     for hostile in [

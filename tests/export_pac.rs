@@ -1,12 +1,13 @@
 //! Proofs in the practical algebraic calculus: replayed here by a strict reader of its own, and by `pacheck -e` where it is installed.
 #![cfg(feature = "prover")]
 
+mod cases;
 mod pac;
 
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 
+use cases::{LARGEST, committed, damaged, refutations};
 use num_rational::BigRational;
 use num_traits::Zero;
 use pac::{Verdict, parse, replay};
@@ -16,33 +17,6 @@ use prove_cap::exact::{Polynomial, Work};
 use prove_cap::export::{Case, ExportError, Target, export, pac_files};
 use prove_cap::statement::Statement;
 
-fn read(directory: &str) -> (Statement, Certificate) {
-    let file = |name: &str| fs::read_to_string(Path::new("proofs").join(directory).join(name)).unwrap();
-    let statement = Statement::read(&file("statement.toml")).unwrap();
-    let unknowns = statement.unknowns().len();
-    let certificate =
-        Certificate::read(file("certificate.txt").as_bytes(), &statement.ring(), unknowns, &mut Work::full());
-    (statement, certificate.unwrap())
-}
-
-/// The committed refutations that a test can replay in a moment; `cap-4x3` is 31 MB.
-const REFUTATIONS: [&str; 14] = [
-    "cap-2x2",
-    "cap-2x2-centre",
-    "cap-2x2-weights",
-    "cap-2x2-free",
-    "cap-2x2-polynomial",
-    "cap-3x2",
-    "cap-3x3",
-    "cap-3x3-c4",
-    "cap-3x3-d4",
-    "cap-4x2",
-    "cap-4x4-d4",
-    "degrees-cube/closing",
-    "degrees-deltoidal-icositetrahedron/closing",
-    "degrees-rhombic-dodecahedron/closing",
-];
-
 fn written(statement: &Statement, certificate: &Certificate) -> [(&'static str, String); 3] {
     pac_files(&Case::new(statement, certificate).unwrap()).unwrap()
 }
@@ -50,13 +24,6 @@ fn written(statement: &Statement, certificate: &Certificate) -> [(&'static str, 
 fn steps(certificate: &Certificate) -> &[Step] {
     let Argument::Impossible(steps) = &certificate.argument else { panic!("a refutation") };
     steps
-}
-
-fn with_steps(certificate: &Certificate, change: impl FnOnce(&mut Vec<Step>)) -> Certificate {
-    let mut changed = certificate.clone();
-    let Argument::Impossible(steps) = &mut changed.argument else { panic!("a refutation") };
-    change(steps);
-    changed
 }
 
 fn nudged(polynomial: &Polynomial, statement: &Statement, by: i32) -> Polynomial {
@@ -80,8 +47,8 @@ fn small(polynomials: &str, steps: &str) -> (Statement, Certificate) {
 
 #[test]
 fn every_committed_refutation_replays_to_its_target() {
-    for name in REFUTATIONS {
-        let (statement, certificate) = read(name);
+    for name in refutations() {
+        let (statement, certificate) = committed(&name);
         assert_eq!(replay(&written(&statement, &certificate)), Verdict::Checked, "{name}");
     }
 }
@@ -89,15 +56,15 @@ fn every_committed_refutation_replays_to_its_target() {
 #[test]
 #[ignore = "31 MB"]
 fn the_largest_replays_too() {
-    let (statement, certificate) = read("cap-4x3");
+    let (statement, certificate) = committed(LARGEST);
     assert_eq!(replay(&written(&statement, &certificate)), Verdict::Checked);
 }
 
 /// What is believed without proof is what the statement says: s² − d, then multiples of its equations.
 #[test]
 fn the_axioms_are_the_statements_equations() {
-    for name in REFUTATIONS {
-        let (statement, certificate) = read(name);
+    for name in refutations() {
+        let (statement, certificate) = committed(&name);
         let case = Case::new(&statement, &certificate).unwrap();
         let [(_, axioms), ..] = pac_files(&case).unwrap();
         let mut lines = axioms.lines().map(|line| line.trim_end_matches(';').split_once(' ').unwrap().1);
@@ -132,21 +99,21 @@ fn the_axioms_are_the_statements_equations() {
 #[test]
 fn damaged_steps_are_refused_where_they_are_damaged() {
     for name in ["cap-2x2", "cap-2x2-weights", "cap-3x3-d4", "cap-4x2", "degrees-cube/closing"] {
-        let (statement, certificate) = read(name);
+        let (statement, certificate) = committed(name);
         for (step, sound) in steps(&certificate).iter().enumerate() {
             let twins = [
-                with_steps(&certificate, |steps| {
+                damaged(&certificate, |steps| {
                     steps[step].conclusion = nudged(&sound.conclusion, &statement, 1);
                 }),
-                with_steps(&certificate, |steps| {
+                damaged(&certificate, |steps| {
                     let multiplier = &mut steps[step].combination[0].1;
                     *multiplier = nudged(multiplier, &statement, -2);
                 }),
-                with_steps(&certificate, |steps| {
+                damaged(&certificate, |steps| {
                     let multiplier = &mut steps[step].combination[0].1;
                     *multiplier = multiplier.negate();
                 }),
-                with_steps(&certificate, |steps| {
+                damaged(&certificate, |steps| {
                     if steps[step].combination.len() > 1 {
                         steps[step].combination.pop();
                     } else {
@@ -166,10 +133,10 @@ fn damaged_steps_are_refused_where_they_are_damaged() {
 #[test]
 fn a_proof_that_ends_early_does_not_reach_its_target() {
     for name in ["cap-2x2", "cap-3x2", "cap-4x2"] {
-        let (statement, certificate) = read(name);
-        let short = with_steps(&certificate, |steps| drop(steps.pop()));
+        let (statement, certificate) = committed(name);
+        let short = damaged(&certificate, |steps| drop(steps.pop()));
         assert_eq!(replay(&written(&statement, &short)), Verdict::NotInferred, "{name}");
-        let empty = with_steps(&certificate, Vec::clear);
+        let empty = damaged(&certificate, Vec::clear);
         let files = written(&statement, &empty);
         assert_eq!(replay(&files), Verdict::NotInferred, "{name}");
         assert_eq!(files[1].1, "");
@@ -227,13 +194,13 @@ fn roots_are_reduced_by_their_axioms() {
 
 #[test]
 fn what_cannot_be_said_is_an_error() {
-    let (statement, certificate) = read("octant");
+    let (statement, certificate) = committed("octant");
     let case = Case::new(&statement, &certificate).unwrap();
     let error = pac_files(&case).unwrap_err();
     assert!(matches!(error, ExportError::Inexpressible { format: "pac", .. }), "{error}");
     assert!(export(&case, Target::Pac).is_err());
 
-    let (statement, certificate) = read("cap-2x2");
+    let (statement, certificate) = committed("cap-2x2");
     for premise in [
         Premise::Coefficient(9, 9),
         Premise::Equation(1),
@@ -241,7 +208,7 @@ fn what_cannot_be_said_is_an_error() {
         Premise::Step(0),
         Premise::Step(3),
     ] {
-        let wrong = with_steps(&certificate, |steps| steps[2].combination[0].0 = premise);
+        let wrong = damaged(&certificate, |steps| steps[2].combination[0].0 = premise);
         let error = pac_files(&Case::new(&statement, &wrong).unwrap()).unwrap_err();
         assert!(matches!(error, ExportError::Premise(of) if of == premise), "{error}");
     }
@@ -250,7 +217,7 @@ fn what_cannot_be_said_is_an_error() {
 #[test]
 fn names_and_titles_leave_no_trace() {
     let text = fs::read_to_string("proofs/cap-2x2-centre/statement.toml").unwrap();
-    let (statement, certificate) = read("cap-2x2-centre");
+    let (statement, certificate) = committed("cap-2x2-centre");
     let plain = written(&statement, &certificate);
     let title = text.lines().find(|line| line.starts_with("title")).unwrap();
     let hostile = text.replace(title, r#"title = "1 d; */ -/ \"x1\" ,;\\ x1-x1;""#);
@@ -281,7 +248,7 @@ fn the_command_writes_three_files() {
     };
     let (status, text) = run(&["-o", prefix.to_str().unwrap()]);
     assert_eq!(status, Some(0), "{text}");
-    let (statement, certificate) = read("cap-2x2");
+    let (statement, certificate) = committed("cap-2x2");
     let mut shown = String::new();
     for (ending, expected) in written(&statement, &certificate) {
         let file = directory.path().join(format!("cap.v1.{ending}"));
@@ -314,17 +281,17 @@ fn pacheck_agrees() {
         let checked = text.lines().any(|line| line == "[pacheck] TARGET CHECKED");
         (checked, output.status.success())
     };
-    for name in REFUTATIONS {
-        let (statement, certificate) = read(name);
+    for name in refutations() {
+        let (statement, certificate) = committed(&name);
         assert_eq!(verdict(written(&statement, &certificate)), (true, true), "{name}");
         let last = steps(&certificate).len() - 1;
         for step in 0..=last {
-            let twin = with_steps(&certificate, |steps| {
+            let twin = damaged(&certificate, |steps| {
                 steps[step].conclusion = nudged(&steps[step].conclusion, &statement, 1);
             });
             assert_eq!(verdict(written(&statement, &twin)), (false, false), "{name}, step {}", step + 1);
         }
-        let short = with_steps(&certificate, |steps| drop(steps.pop()));
+        let short = damaged(&certificate, |steps| drop(steps.pop()));
         assert_eq!(verdict(written(&statement, &short)), (false, true), "{name}: it exits 0 on this one");
     }
     let (statement, certificate) = small(

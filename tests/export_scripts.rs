@@ -3,17 +3,17 @@
 //! A system that is not installed is `not run`, which is printed. `scripts/outside` runs all proofs and can require systems.
 #![cfg(feature = "prover")]
 
+mod cases;
+
 use std::fs;
-use std::path::Path;
 use std::process::{Command, Stdio};
 
+use cases::{committed, damaged, negated, proved};
 use prove_cap::catalogue::ENTRIES;
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::checker::check_read;
-use prove_cap::elimination::Control;
-use prove_cap::exact::{Polynomial, Work};
+use prove_cap::exact::Polynomial;
 use prove_cap::export::{Case, Target, export, text::harmless};
-use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;
 
 const TARGETS: [Target; 5] =
@@ -27,26 +27,6 @@ const HOSTILE: [&str; 22] = [
 
 const TITLE: &str =
     r##"' " */ quit(0) (* *) \ $ ` -- // \\ # """ ''' $(exit 0) ?bye(0) }; {- Qed. <!-- é √"##;
-
-fn committed(name: &str) -> (Statement, Certificate) {
-    let file = |file: &str| fs::read_to_string(Path::new("proofs").join(name).join(file)).unwrap();
-    let statement = Statement::read(&file("statement.toml")).unwrap();
-    let certificate = parsed(&statement, &file("certificate.txt"));
-    (statement, certificate)
-}
-
-fn parsed(statement: &Statement, text: &str) -> Certificate {
-    let unknowns = statement.unknowns().len();
-    Certificate::read(text.as_bytes(), &statement.ring(), unknowns, &mut Work::full()).unwrap()
-}
-
-fn proved(text: &str) -> (Statement, Certificate) {
-    let statement = Statement::read(text).unwrap();
-    let Ok(Attempt::Proved { certificate, .. }) = prove(&statement, &Control::default()) else {
-        panic!("not proved: {text}")
-    };
-    (statement, certificate)
-}
 
 fn claimed(text: &str, argument: Argument) -> (Statement, Certificate) {
     let statement = Statement::read(text).unwrap();
@@ -172,18 +152,6 @@ fn verdict(target: Target, script: &str) -> Option<String> {
     );
     assert_eq!(stderr, "", "{target:?}");
     Some(verdict.to_owned())
-}
-
-/// A refutation with something done to its steps.
-fn damaged(certificate: &Certificate, damage: impl FnOnce(&mut Vec<Step>)) -> Certificate {
-    let mut damaged = certificate.clone();
-    let Argument::Impossible(steps) = &mut damaged.argument else { panic!("a refutation") };
-    damage(steps);
-    damaged
-}
-
-fn negated(polynomial: &Polynomial) -> Polynomial {
-    Polynomial::from_terms(polynomial.terms().map(|(monomial, c)| (monomial.clone(), -c.clone())))
 }
 
 /// Proofs and what any system must say of them, word for word.

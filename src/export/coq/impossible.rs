@@ -80,10 +80,13 @@ fn theorems(
         false => (format!("\n  some_weight {net} ->"), "some"),
     };
     let weight = match weight_known {
-        true => "- exact (Replay.weight_is_known Data.radicands eq_refl _ _ _ _ _ _ _ _ _ _ Data.weight).".into(),
+        true => {
+            "- exact (Replay.weight_is_known Data.radicands eq_refl _ _ _ _ _ _ _ _ _ _ Data.weight).".into()
+        }
         false => format!(
-            "- exact (Replay.weight_is_assumed Data.radicands eq_refl _ _ _ _ _ _ _ _ _ _ _ Data.refuted _ eq_refl
-             {net} eq_refl some)."
+            "- exact (Replay.weight_is_assumed Data.radicands eq_refl _ _ _ _ _ _ _ _ _ _ _ Data.refuted
+             {} eq_refl {net} eq_refl some).",
+            unknowns.values
         ),
     };
     let missed = format!(
