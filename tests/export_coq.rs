@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use cases::{committed, damaged, folders, negated, parsed, proved};
+use cases::{LARGEST, committed, damaged, folders, negated, parsed, proved, refutations};
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::exact::Polynomial;
 use prove_cap::export::{Case, ExportError, Target, export};
@@ -74,6 +74,29 @@ fn committed_files_are_reproduced() {
         }
         let present = fs::read_to_string(&file).unwrap_or_default();
         assert!(present == text, "{}: PROVE_CAP_UPDATE=1 cargo test --test export_coq", file.display());
+    }
+}
+
+/// The page about the proofs names every folder that holds one, with the Coq file it is said to hold, and counts them.
+#[test]
+fn the_page_of_proofs_has_them_all() {
+    let page = fs::read_to_string("proofs/README.md").unwrap();
+    let mut folders = folders();
+    for folder in &folders {
+        assert!(page.contains(&format!("`{folder}`")), "{folder}");
+        assert!(Path::new("proofs").join(folder).join("theorem.v").is_file(), "{folder}");
+    }
+    folders.push(LARGEST.to_owned());
+    assert!(page.contains(&format!("`{}`", LARGEST)));
+    let count = folders.len();
+    assert_eq!(page.matches(&format!("| {count} of {count}")).count(), 7, "{count} proofs");
+    let refutations = refutations().len() + 1;
+    assert!(
+        page.contains(&format!("| {refutations} of {refutations}, by hand |")),
+        "{refutations} refutations"
+    );
+    for named in page.split('`').skip(1).step_by(2).filter(|name| name.starts_with("degrees-")) {
+        assert!(folders.iter().any(|folder| folder == named), "{named} is not there");
     }
 }
 

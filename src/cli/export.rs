@@ -50,7 +50,7 @@ enum Language {
     Pari,
     /// Run: python3 FILE
     Sympy,
-    /// Run: maxima --very-quiet -b FILE
+    /// Run: maxima --very-quiet --init-mac=FILE </dev/null
     Maxima,
     /// Lean 4 with Mathlib; not compiled by us.
     Lean,
