@@ -87,7 +87,7 @@ fn the_page_of_proofs_has_them_all() {
         assert!(Path::new("proofs").join(folder).join("theorem.v").is_file(), "{folder}");
     }
     folders.push(LARGEST.to_owned());
-    assert!(page.contains(&format!("`{}`", LARGEST)));
+    assert!(page.contains(&format!("`{LARGEST}`")));
     let count = folders.len();
     assert_eq!(page.matches(&format!("| {count} of {count}")).count(), 7, "{count} proofs");
     let refutations = refutations().len() + 1;

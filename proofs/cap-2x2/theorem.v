@@ -6,6 +6,7 @@
 
     Part 1 and part 4 are to be read: what is defined, and what is proved of it. Part 2 is a checker of certificates with the proof
     that it is right; part 3 is a certificate. Coq verifies all of it:  coqc FILE.v  (8.16 or later; no library but its own).
+    To read it: R are the real numbers, f x y is f(x, y), [a; b] a list, /\ is and, ~ not, <> not equal, -> implies.
     The last lines print the axioms that the theorems rest on: those of Coq's real numbers.
 
     Written by prove-cap; statement sha256 14f8ac0ff126c4d29d328d8dded7b41abb4ee5423817475770be3342db5d810e *)

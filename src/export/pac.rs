@@ -17,6 +17,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::case::{Case, ExportError, Reasoning};
 use super::flat::{lift, quotients, root_equations, sum_of_products, used_equations};
+use super::integral::scaled;
 use crate::certificate::{Premise, Step};
 use crate::exact::{Limit, Monomial, Polynomial};
 
@@ -237,8 +238,4 @@ fn scale_of<'a>(coefficients: impl Iterator<Item = &'a BigRational>) -> BigRatio
         denominators = denominators.lcm(coefficient.denom());
     }
     BigRational::new(denominators, if numerators.is_zero() { BigInt::one() } else { numerators })
-}
-
-fn scaled(polynomial: &Polynomial, scale: &BigRational) -> Polynomial {
-    Polynomial::from_terms(polynomial.terms().map(|(monomial, value)| (monomial.clone(), value * scale)))
 }

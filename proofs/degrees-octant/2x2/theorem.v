@@ -7,6 +7,7 @@
 
     Part 1 and part 4 are to be read: what is defined, and what is proved of it. Part 2 is a checker of certificates with the proof
     that it is right; part 3 is a certificate. Coq verifies all of it:  coqc FILE.v  (8.16 or later; no library but its own).
+    To read it: R are the real numbers, f x y is f(x, y), [a; b] a list, /\ is and, ~ not, <> not equal, -> implies.
     The last lines print the axioms that the theorems rest on: those of Coq's real numbers.
 
     Written by prove-cap; statement sha256 3f6540b51764f0f6b0deba454d945d0db08fa2a8a3385906cbbb8dfd510db8d0 *)

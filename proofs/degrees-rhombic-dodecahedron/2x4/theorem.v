@@ -6,6 +6,7 @@
 
     Part 1 and part 4 are to be read: what is defined, and what is proved of it. Part 2 is a checker of certificates with the proof
     that it is right; part 3 is a certificate. Coq verifies all of it:  coqc FILE.v  (8.16 or later; no library but its own).
+    To read it: R are the real numbers, f x y is f(x, y), [a; b] a list, /\ is and, ~ not, <> not equal, -> implies.
     The last lines print the axioms that the theorems rest on: those of Coq's real numbers.
 
     Written by prove-cap; statement sha256 2cf50a19a35eb2490eb0300d004c49fcf544f6e96d01ddce81454a01f95ce110 *)
