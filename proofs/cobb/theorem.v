@@ -5,7 +5,7 @@
     The edges u = 0, u = 1, v = 0, v = 1 lie in their planes: [edge_...].
 
     Part 1 and part 4 are to be read: what is defined, and what is proved of it. Part 2 is a checker of certificates with the proof
-    that it is right; part 3 is a certificate. Coq verifies all of it:  coqc FILE.v  (8.16 or later; no library but its own).
+    that it is right; part 3 is a certificate. Coq verifies all of it:  coqc FILE.v  (written for Coq 8.16; no library but its own).
     To read it: R are the real numbers, f x y is f(x, y), [a; b] a list, /\ is and, ~ not, <> not equal, -> implies.
     The last lines print the axioms that the theorems rest on: those of Coq's real numbers.
 

@@ -6,7 +6,7 @@
     The unknowns of the statement have these values: X11 is 0; Y11 is 0; Z11 is 3 / 2; W11 is 1 / 2.
 
     Part 1 and part 4 are to be read: what is defined, and what is proved of it. Part 2 is a checker of certificates with the proof
-    that it is right; part 3 is a certificate. Coq verifies all of it:  coqc FILE.v  (8.16 or later; no library but its own).
+    that it is right; part 3 is a certificate. Coq verifies all of it:  coqc FILE.v  (written for Coq 8.16; no library but its own).
     To read it: R are the real numbers, f x y is f(x, y), [a; b] a list, /\ is and, ~ not, <> not equal, -> implies.
     The last lines print the axioms that the theorems rest on: those of Coq's real numbers.
 
