@@ -183,6 +183,18 @@ fn statements_of_every_kind_are_proved() {
     accepted(&text);
 }
 
+/// Long numbers are written in groups, also where a theorem names a common denominator.
+#[test]
+fn long_denominators_are_read() {
+    let text = format!(
+        "{HEAD}unknowns = [\"a\"]\nnonzero = [\"a/13^40 + 1\"]\npolynomials = [\"a/7^60 - 1\", \"a\"]\n"
+    );
+    let (statement, certificate) = proved(&text);
+    let text = written(&statement, &certificate);
+    assert!(text.split_once("(** * 4.").unwrap().1.contains("(Replay.long ["), "{text}");
+    accepted(&text);
+}
+
 #[test]
 fn solutions_of_systems_are_theorems_too() {
     let text = format!(

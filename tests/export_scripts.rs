@@ -77,6 +77,21 @@ fn names_and_titles_stand_in_comments_only() {
     }
 }
 
+/// Python takes an encoding from the first two lines, whoever wrote them.
+#[test]
+fn no_title_declares_an_encoding() {
+    let (statement, certificate) = committed("cap-2x2");
+    let mut case = Case::new(&statement, &certificate).unwrap();
+    case.title = harmless("Study of colour coding: none");
+    let text = export(&case, Target::Sympy).unwrap();
+    assert!(
+        text.starts_with("#!/usr/bin/env python3\n# -*- coding: ascii -*-\n# Study of colour coding: none\n")
+    );
+    if let Some(said) = verdict(Target::Sympy, &text) {
+        assert!(said.starts_with("VERIFIED"), "{said}");
+    }
+}
+
 /// What is derived from the statement is not handed over: no coefficient is spelled where only its name may stand.
 #[test]
 fn coefficients_are_not_data() {

@@ -3,7 +3,7 @@
     Every point of this patch lies on the surface: [on_the_surface], at the end of this file.
     W is positive on the whole square, so that the patch is defined there: [weight_is_positive].
     The edges u = 0, u = 1, v = 0, v = 1 lie in their planes: [edge_...].
-    The unknowns of the statement have these values: X11 is 0; Y11 is 0; Z11 is 3 / 2; W11 is 1 / 2.
+    The unknowns of the statement have these values, put in by prove-cap before Coq reads the file: X11 is 0; Y11 is 0; Z11 is 3 / 2; W11 is 1 / 2.
 
     Part 1 and part 4 are to be read: what is defined, and what is proved of it. Part 2 is a checker of certificates with the proof
     that it is right; part 3 is a certificate. Coq verifies all of it:  coqc FILE.v  (written for Coq 8.16; no library but its own).

@@ -65,6 +65,12 @@ pub(super) fn vacant(directory: PathBuf, statement: &Statement) -> Result<PathBu
 /// To a temporary file beside the target, then renamed: whoever looks sees the old file or the new one.
 pub(super) fn write_atomically(target: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let cannot = |error: std::io::Error| Failure(format!("{}: cannot be written: {error}", target.display()));
+    // What a link points to is replaced, not the link; a device or a directory is not replaced at all.
+    if fs::metadata(target).is_ok_and(|present| !present.is_file()) {
+        return Err(Failure(format!("{}: cannot be written: it is not a regular file", target.display())));
+    }
+    let resolved = fs::canonicalize(target).unwrap_or_else(|_| target.to_path_buf());
+    let target = resolved.as_path();
     let directory = target.parent().filter(|parent| !parent.as_os_str().is_empty());
     let mut builder = tempfile::Builder::new();
     builder.prefix(".prove-cap-").suffix(".tmp");

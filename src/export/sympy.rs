@@ -12,7 +12,8 @@ pub(super) fn export(case: &Case) -> Result<String, ExportError> {
         ("SQUARES", roots(case, "\"ROOT\": SQUARE").join(", ")),
         ("SURFACE", surface(case).join("\n + ").replace("+ -", "- ")),
     ];
-    Ok(write(case, &PARTS, &values))
+    // Python looks for a declaration of the encoding in the first two lines: no title may stand there.
+    Ok(format!("#!/usr/bin/env python3\n# -*- coding: ascii -*-\n{}", write(case, &PARTS, &values)))
 }
 
 const PARTS: Parts = Parts {

@@ -159,7 +159,9 @@ pub(super) fn values(case: &Case) -> Vec<String> {
     if list.is_empty() {
         Vec::new()
     } else {
-        vec![format!("The unknowns of the statement have these values: {list}.")]
+        vec![format!(
+            "The unknowns of the statement have these values, put in by prove-cap before Coq reads the file: {list}."
+        )]
     }
 }
 

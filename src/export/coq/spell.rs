@@ -81,7 +81,7 @@ pub(super) fn integer(value: &BigInt) -> String {
         let (first, rest) = digits.split_at(digits.len() % GROUP);
         let rest = rest.as_bytes().chunks(GROUP).map(|group| String::from_utf8_lossy(group).into_owned());
         let groups = [first.to_owned()].into_iter().chain(rest).filter(|group| !group.is_empty());
-        format!("long {}%Z", list(groups))
+        format!("Replay.long {}%Z", list(groups))
     };
     match (value.is_negative(), size.contains(' ')) {
         (true, true) => format!("(- {size})"),
