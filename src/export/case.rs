@@ -117,11 +117,6 @@ impl Case {
         }
     }
 
-    /// How many generators there are: roots, unknowns (none once they have values) and Rabinowitsch variables.
-    pub fn generator_count(&self) -> usize {
-        self.root_count() + self.variable_count()
-    }
-
     /// The number of roots: generators 0, 1, … are √d₁, √d₂, …
     pub fn root_count(&self) -> usize {
         self.field.values().len()
@@ -154,20 +149,6 @@ impl Case {
         equations.dedup();
         equations
     }
-}
-
-/// A surface equation's terms: (a constant of K, the exponents of X, Y, Z, W), each power product once.
-pub fn surface_terms(patch: &Patch) -> Vec<(Polynomial, [u32; 4])> {
-    let mut terms: Vec<([u32; 4], Vec<_>)> = Vec::new();
-    for (monomial, coefficient) in patch.surface.terms() {
-        let exponents = [0, 1, 2, 3].map(|k| monomial.exponent(k));
-        let constant = (crate::exact::Monomial::radical(monomial.mask()), coefficient.clone());
-        match terms.iter_mut().find(|(of, _)| *of == exponents) {
-            Some((_, parts)) => parts.push(constant),
-            None => terms.push((exponents, vec![constant])),
-        }
-    }
-    terms.into_iter().map(|(exponents, parts)| (Polynomial::from_terms(parts), exponents)).collect()
 }
 
 fn with_values(subject: &Subject, values: &[Polynomial], field: &Radicands) -> Result<Subject, Limit> {

@@ -17,7 +17,7 @@ mod singular;
 mod sympy;
 pub mod text;
 
-pub use case::{Case, ExportError, Reasoning, Term, surface_terms};
+pub use case::{Case, ExportError, Reasoning, Term};
 pub use pac::files as pac_files;
 
 /// The languages.
