@@ -10,14 +10,14 @@ test:
 # Formatting, lints, documentation.
 lint:
     cargo fmt --check
-    cargo clippy --all-targets -- -D warnings
-    cargo clippy --all-targets --no-default-features -- -D warnings
+    cargo clippy --workspace --all-targets -- -D warnings
+    cargo clippy --lib --no-default-features -- -D warnings
     RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --quiet
 
-# The checker-only build replays every committed proof.
+# The checker alone replays every committed proof.
 replay:
-    cargo build --release --no-default-features --target-dir target/checker
-    scripts/replay target/checker/release/prove-cap
+    cargo build --release -p prove-cap-kernel
+    scripts/replay target/release/prove-cap-check
 
 # Coq and the computer-algebra systems that are installed verify every proof; five minutes.
 outside:
@@ -33,7 +33,6 @@ examples:
     cargo run --quiet --example expand_a_patch
     cargo run --quiet --example prove_a_statement
     cargo run --quiet --example check_a_certificate
-    cargo run --quiet --example check_a_certificate --no-default-features
 
 # The prover with GMP gives the same proofs (needs libgmp-dev and libmpfr-dev).
 gmp:

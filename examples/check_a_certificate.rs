@@ -1,8 +1,6 @@
 //! Check a committed certificate with the trusted part alone.
-//!
-//! `cargo run --example check_a_certificate --no-default-features`
 
-use prove_cap::checker::{CheckError, check};
+use prove_cap_kernel::checker::{CheckError, check};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args().nth(1).unwrap_or("proofs/cap-2x2".into());

@@ -1,5 +1,4 @@
 //! Laws of the two algebras, and that they agree with each other.
-#![cfg(feature = "prover")]
 
 use num_rational::BigRational;
 use proptest::prelude::*;

@@ -1,5 +1,4 @@
 //! The audit of listings: the paper's, mutilated ones, and claims that are false.
-#![cfg(feature = "prover")]
 
 use proptest::prelude::*;
 use prove_cap::audit::{Audit, Change, Finding, Judgement, PAPER, Relation};

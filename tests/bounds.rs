@@ -1,5 +1,4 @@
 //! Enclosures and barriers: reproduced, held against independent evaluation, and refused after changes.
-#![cfg(feature = "prover")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

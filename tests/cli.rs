@@ -1,7 +1,6 @@
 //! The command line, word for word: `tests/cmd/session.trycmd` and the commands of the README and of proofs/STRUCTURE.md.
 //!
 //! `TRYCMD=overwrite cargo test --test cli` writes the outputs anew; read them before you commit them.
-#![cfg(feature = "prover")]
 
 #[test]
 fn commands_print_what_is_on_file() {

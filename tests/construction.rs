@@ -1,5 +1,4 @@
 //! Exact patches of spherical polygons, and which bidegrees have one.
-#![cfg(feature = "prover")]
 
 use num_rational::BigRational;
 use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, Sign, polynomial_from_exact, spell};

@@ -1,5 +1,5 @@
 //! Killed while it writes, the program leaves the old file or the new one.
-#![cfg(all(unix, feature = "prover"))]
+#![cfg(unix)]
 
 use std::fs;
 use std::process::{Command, Stdio};

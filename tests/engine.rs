@@ -1,5 +1,4 @@
 //! The engine on systems whose answer is known for another reason.
-#![cfg(feature = "prover")]
 
 use std::time::{Duration, Instant};
 

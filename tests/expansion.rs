@@ -1,5 +1,4 @@
 //! The surface condition: two expansions of one definition, and what it must say.
-#![cfg(feature = "prover")]
 
 use proptest::prelude::*;
 use prove_cap::algebra::{

@@ -2,7 +2,6 @@
 //!
 //! `PROVE_CAP_UPDATE=1 cargo test --test export_coq` writes the committed files anew. `scripts/outside` has Coq read all of
 //! them, and that of the largest proof, a megabyte that is not committed.
-#![cfg(feature = "prover")]
 
 mod cases;
 

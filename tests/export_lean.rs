@@ -1,5 +1,4 @@
 //! Lean texts: every identity that they leave to `ring` is one, and nothing that others wrote is in their code.
-#![cfg(feature = "prover")]
 
 mod cases;
 mod lean;

@@ -1,5 +1,4 @@
 //! Proofs in the practical algebraic calculus: replayed here by a strict reader of its own, and by `pacheck -e` where it is installed.
-#![cfg(feature = "prover")]
 
 mod cases;
 mod pac;

@@ -1,7 +1,6 @@
 //! Scripts for computer-algebra systems: what they may contain, and, where a system is installed, what it says of right and wrong proofs.
 //!
 //! A system that is not installed is `not run`, which is printed. `scripts/outside` runs all proofs and can require systems.
-#![cfg(feature = "prover")]
 
 mod cases;
 

@@ -1,5 +1,4 @@
 //! The families of caps by name: what their nets say, and names that are refused.
-#![cfg(feature = "prover")]
 
 use prove_cap::catalogue::{Cap, cap};
 use prove_cap::prove::condition_of;

@@ -1,5 +1,4 @@
 //! Pictures: what is in them, and what is refused.
-#![cfg(feature = "prover")]
 
 use std::path::Path;
 

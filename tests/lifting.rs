@@ -1,5 +1,4 @@
 //! Exact solutions by p-adic lifting, against the equations they are to solve.
-#![cfg(feature = "prover")]
 
 use proptest::prelude::*;
 use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, PrimeField, splitting_primes};

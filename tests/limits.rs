@@ -1,5 +1,4 @@
 //! Limits on time, memory and threads, from the command line.
-#![cfg(feature = "prover")]
 
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,4 @@
 //! The reader of printed formulas: what it reads, and that it reads back what we print.
-#![cfg(feature = "prover")]
 
 use num_bigint::BigInt;
 use num_rational::BigRational;

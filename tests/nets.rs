@@ -1,5 +1,4 @@
 //! The audit of control nets: positive controls, and one wrong entry at a time.
-#![cfg(feature = "prover")]
 
 use std::fs;
 

@@ -1,5 +1,4 @@
 //! The committed proofs: complete, reproducible to the byte, and refused after the smallest change.
-#![cfg(feature = "prover")]
 
 use std::fs;
 use std::path::Path;

@@ -62,13 +62,12 @@ fn wrong_statements_are_refused_with_the_exact_complaint() {
     }
     assert_eq!(
         seen,
-        variants("src/statement/error.rs", "StatementFault"),
+        variants("src/kernel/statement/error.rs", "StatementFault"),
         "one file at least for each variant"
     );
 }
 
 /// Listings are held against `statement.toml` there, the paper's patch with a second name for nothing.
-#[cfg(feature = "prover")]
 #[test]
 fn wrong_listings_are_refused_with_the_exact_complaint() {
     use prove_cap::audit::{Audit, AuditError};
@@ -112,8 +111,8 @@ fn wrong_certificates_are_refused_with_the_exact_complaint() {
         compare(&file, &error.to_string());
         seen.insert(promised(&file));
     }
-    let mut all = variants("src/certificate/error.rs", "CertificateFault");
-    all.append(&mut variants("src/checker/error.rs", "Rejection"));
+    let mut all = variants("src/kernel/certificate/error.rs", "CertificateFault");
+    all.append(&mut variants("src/kernel/checker/error.rs", "Rejection"));
     // The reader's last resort: no file is known that gets that far.
     all.remove("NotCanonical");
     assert_eq!(seen, all, "one file at least for each variant");

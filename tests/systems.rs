@@ -7,7 +7,6 @@
 //!   Margulies, ISSAC 2008, doi:10.1145/1390768.1390797. Graphs that cannot be coloured give certificates; in the others the
 //!   zeros are counted and compared with the colourings, which are counted one by one.
 //! - random dense quadratics, more than unknowns: without common zeros.
-#![cfg(feature = "prover")]
 
 use itertools::Itertools;
 use prove_cap::checker::Claim;

@@ -144,7 +144,7 @@ pub fn run() -> Result<Outcome, Failure> {
         None => prove(None, line.options),
         Some(Command::Prove { source, options }) => prove(source, options),
         Some(Command::Check { statement, certificate }) => match format {
-            Format::Text | Format::Latex => check::run(&statement, &certificate),
+            Format::Text | Format::Latex => check::check(&statement, &certificate),
             Format::Json => check_as_data(&statement, &certificate),
         },
         Some(Command::Canonical { statement }) => check::canonical(&statement),

@@ -18,7 +18,6 @@ pub struct Theorem {
 /// What was proved.
 #[allow(clippy::large_enum_variant, reason = "one or two are alive at a time")]
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Claim {
     /// The equations and assumptions of the statement have no common zero over any field containing K.
     Impossible {

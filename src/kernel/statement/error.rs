@@ -16,7 +16,6 @@ pub struct StatementError {
 
 /// What is wrong, without the place.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 #[allow(missing_docs, reason = "the fields are what the message prints")]
 pub enum StatementFault {
     /// Not TOML, in the words of the TOML reader (a duplicate key among them).

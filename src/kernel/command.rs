@@ -1,16 +1,16 @@
-//! `prove-cap check STATEMENT CERTIFICATE` and `prove-cap canonical STATEMENT`: the trusted commands.
+//! The trusted commands, `check STATEMENT CERTIFICATE` and `canonical STATEMENT`: what prints VERIFIED.
 
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::outcome::{Failure, Outcome, Status};
-use crate::checker::{CheckError, Claim, Theorem, check};
+use crate::checker::{self, CheckError, Claim, Theorem};
 use crate::exact::{Polynomial, Work, limits};
+use crate::outcome::{Failure, Outcome, Status};
 use crate::statement::Statement;
 
 /// Reads a file, but not more than one byte beyond its limit.
-pub(super) fn read_limited(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
+pub fn read_limited(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
     let cannot = |error: std::io::Error| Failure(format!("{}: cannot be read: {error}", path.display()));
     let file = File::open(path).map_err(cannot)?;
     let mut bytes = Vec::new();
@@ -19,10 +19,10 @@ pub(super) fn read_limited(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> 
 }
 
 /// What the checker says of two files.
-pub(super) fn examine(statement: &Path, certificate: &Path) -> Result<Result<Theorem, String>, Failure> {
+pub fn examine(statement: &Path, certificate: &Path) -> Result<Result<Theorem, String>, Failure> {
     let statement_bytes = read_limited(statement, limits::STATEMENT_BYTES)?;
     let certificate_bytes = read_limited(certificate, limits::CERTIFICATE_BYTES)?;
-    match check(&statement_bytes, &certificate_bytes) {
+    match checker::check(&statement_bytes, &certificate_bytes) {
         Ok(theorem) => Ok(Ok(theorem)),
         Err(CheckError::Rejected(rejection)) => Ok(Err(rejection.to_string())),
         Err(CheckError::Statement(error)) => Err(Failure(format!("{}:{error}", statement.display()))),
@@ -35,7 +35,7 @@ pub(super) fn examine(statement: &Path, certificate: &Path) -> Result<Result<The
 }
 
 /// `check`.
-pub fn run(statement: &Path, certificate: &Path) -> Result<Outcome, Failure> {
+pub fn check(statement: &Path, certificate: &Path) -> Result<Outcome, Failure> {
     Ok(match examine(statement, certificate)? {
         Ok(theorem) => Outcome { text: verified(&theorem), status: Status::Established },
         Err(rejection) => Outcome {

@@ -17,7 +17,6 @@ pub struct CertificateError {
 
 /// What is wrong, without the place.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 #[allow(missing_docs, reason = "the fields are what the message prints")]
 pub enum CertificateFault {
     /// Nothing in the file.

@@ -8,19 +8,6 @@
 //! order to speak of (only an order of spelling), no division of polynomials, no elimination.
 //! The prover has its own, faster algebra and does not use this one to reason.
 
-// No rejecting check is an assertion, and no machine arithmetic wraps: see ARCHITECTURE.md, "The trusted part".
-#![deny(
-    clippy::arithmetic_side_effects,
-    clippy::as_conversions,
-    clippy::expect_used,
-    clippy::indexing_slicing,
-    clippy::panic,
-    clippy::string_slice,
-    clippy::unreachable,
-    clippy::unwrap_used
-)]
-#![deny(clippy::disallowed_macros, reason = "assert! and its like")]
-
 mod combination;
 pub mod limits;
 mod monomial;

@@ -8,7 +8,6 @@ use crate::statement::StatementError;
 
 /// Why there is no theorem.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 #[allow(missing_docs, reason = "the fields are what the message prints")]
 pub enum CheckError {
     /// The statement cannot be read.
@@ -27,7 +26,6 @@ pub enum CheckError {
 
 /// What is wrong with a well-formed certificate.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 #[allow(missing_docs, reason = "the fields are what the message prints")]
 pub enum Rejection {
     /// The certificate is for a statement with another hash.
