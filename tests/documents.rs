@@ -13,23 +13,32 @@ fn lines_of(folder: &str) -> (usize, usize) {
     (text.lines().count(), text.lines().filter(is_code).count())
 }
 
+/// The folder and all within.
+fn folders_of(folder: &str) -> usize {
+    let inner = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_dir());
+    1 + inner.map(|path| folders_of(path.to_str().unwrap())).sum::<usize>()
+}
+
 /// The rows of the README's table of trusted lines. `PROVE_CAP_UPDATE=1` corrects them.
 #[test]
 fn the_readme_counts_the_trusted_lines() {
     let readme = fs::read_to_string("README.md").unwrap();
     let mut corrected = String::new();
+    let mut rows = 0;
     for line in readme.lines() {
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
         let folder =
             cells.get(1).and_then(|cell| cell.strip_prefix("`src/")).and_then(|cell| cell.strip_suffix('`'));
         match folder {
             Some(folder) => {
+                rows += 1;
                 let (all, code) = lines_of(&format!("src/{folder}"));
                 corrected += &format!("| `src/{folder}` | {} | {all} | {code} |\n", cells[2]);
             }
             None => corrected += &format!("{line}\n"),
         }
     }
+    assert_eq!(rows, folders_of("src/kernel"), "each folder of the kernel has its row");
     if std::env::var_os("PROVE_CAP_UPDATE").is_some() {
         fs::write("README.md", &corrected).unwrap();
     }
@@ -38,7 +47,7 @@ fn the_readme_counts_the_trusted_lines() {
         corrected,
         "PROVE_CAP_UPDATE=1 cargo test --test documents"
     );
-    for part in ["src/checker", "src/kernel/checker/subdivision"] {
+    for part in ["src/kernel/checker", "src/kernel/checker/subdivision"] {
         assert!(lines_of(part).0 < 1000, "{part} stays under a thousand lines");
     }
 }

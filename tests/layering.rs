@@ -56,14 +56,17 @@ fn used(module: &[String], tokens: TokenStream) -> Vec<Vec<String>> {
                     "super" => module[..module.len().saturating_sub(1)].to_vec(),
                     _ => module.to_vec(),
                 };
-                // `pub(crate)` and the receiver `self` are no paths.
-                let is_path =
-                    is(&tokens, at, ':') || tokens.get(at).is_some_and(|token| token.to_string() == "as");
+                // `pub(crate)` and the receiver `self` are no paths, and `super` within one was followed with it.
+                let within = at >= 2 && is(&tokens, at - 2, ':');
+                let renamed = tokens.get(at).is_some_and(|token| token.to_string() == "as");
+                let is_path = !within && (renamed || is(&tokens, at, ':'));
                 if is_path {
                     let rest = &tokens[at..];
                     follow(&start, rest, &mut found);
                 }
             }
+            // The group of a path was followed with it.
+            TokenTree::Group(_) if at >= 2 && is(&tokens, at - 2, ':') => {}
             TokenTree::Group(group) => found.append(&mut used(module, group.stream())),
             _ => {}
         }
