@@ -18,7 +18,7 @@ fn paper() -> (Listing, Statement) {
 }
 
 fn cobb() -> PrintedNet {
-    from_json(include_str!("../tests/nets/cobb-4x4.json")).unwrap()
+    from_json(include_str!("../tests/data/nets/cobb-4x4.json")).unwrap()
 }
 
 #[divan::bench]

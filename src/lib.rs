@@ -5,7 +5,7 @@
 //! would have to vanish); **exact**, with a control net whose identity is verified; or **undecided**.
 //!
 //! What is believed is the crate `prove_cap_kernel`, re-exported here: [`exact`], [`statement`], [`certificate`] and
-//! [`checker`]. The modules of this crate are layers: each uses those above it only, and `tests/layering.rs` sees to
+//! [`checker`]. The modules of this crate are layers: each uses those above it only, and `tests/house/layering.rs` sees to
 //! it. A bug in them can lose a proof but never make a false one.
 //!
 //! ```

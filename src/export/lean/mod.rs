@@ -1,7 +1,7 @@
 //! Lean 4 with Mathlib: the geometric theorem over ℝ, every equation of the proof by `linear_combination`.
 //!
 //! There was no Lean where this was written, so the text has never been compiled, and says so. What can be known without Lean
-//! is that every identity it asks `ring` for is one: `tests/export_lean.rs` reads them back and multiplies them out. For the same
+//! is that every identity it asks `ring` for is one: `tests/formats/export_lean.rs` reads them back and multiplies them out. For the same
 //! reason the text uses few and old tactics: `linear_combination`, `ring`, `norm_num`, `simp only` to unfold definitions.
 //!
 //! Roots are variables r with r² = d until the last theorem, so that `ring` sees atoms. A theorem about the patch is proved in small pieces:

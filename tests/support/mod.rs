@@ -1,5 +1,4 @@
 //! Committed proofs, and damaged copies of them, for the tests of exports.
-#![allow(dead_code, reason = "each test uses some of it")]
 
 use std::fs;
 use std::path::Path;

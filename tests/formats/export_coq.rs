@@ -1,15 +1,13 @@
 //! Coq files: reproduced to the byte, and, where Coq is installed, accepted with no axioms but those of the real numbers, or refused.
 //!
-//! `PROVE_CAP_UPDATE=1 cargo test --test export_coq` writes the committed files anew. `scripts/outside` has Coq read all of
+//! `PROVE_CAP_UPDATE=1 cargo test --test formats` writes the committed files anew. `scripts/outside` has Coq read all of
 //! them, and that of the largest proof, a megabyte that is not committed.
-
-mod cases;
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use cases::{LARGEST, committed, damaged, folders, negated, parsed, proved, refutations};
+use crate::support::{LARGEST, committed, damaged, folders, negated, parsed, proved, refutations};
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::exact::Polynomial;
 use prove_cap::export::{Case, ExportError, Target, export};
@@ -72,7 +70,7 @@ fn committed_files_are_reproduced() {
             fs::write(&file, &text).unwrap();
         }
         let present = fs::read_to_string(&file).unwrap_or_default();
-        assert!(present == text, "{}: PROVE_CAP_UPDATE=1 cargo test --test export_coq", file.display());
+        assert!(present == text, "{}: PROVE_CAP_UPDATE=1 cargo test --test formats", file.display());
     }
 }
 

@@ -45,7 +45,7 @@ fn the_readme_counts_the_trusted_lines() {
     assert_eq!(
         fs::read_to_string("README.md").unwrap(),
         corrected,
-        "PROVE_CAP_UPDATE=1 cargo test --test documents"
+        "PROVE_CAP_UPDATE=1 cargo test --test house"
     );
     for part in ["src/kernel/checker", "src/kernel/checker/subdivision"] {
         assert!(lines_of(part).0 < 1000, "{part} stays under a thousand lines");
@@ -116,7 +116,7 @@ fn the_readme_has_the_table() {
     assert!(command.status.success(), "{}", String::from_utf8_lossy(&command.stderr));
     let table = String::from_utf8(command.stdout).unwrap();
     let readme = fs::read_to_string("README.md").unwrap();
-    let mark = "<!-- table, kept true by tests/documents.rs -->\n```text\n";
+    let mark = "<!-- table, kept true by tests/house/documents.rs -->\n```text\n";
     let (before, rest) = readme.split_once(mark).expect("the place for the table");
     let (_, after) = rest.split_once("```\n").unwrap();
     let corrected = format!("{before}{mark}{table}```\n{after}");
@@ -126,6 +126,6 @@ fn the_readme_has_the_table() {
     assert_eq!(
         fs::read_to_string("README.md").unwrap(),
         corrected,
-        "PROVE_CAP_UPDATE=1 cargo test --release --test documents -- --ignored"
+        "PROVE_CAP_UPDATE=1 cargo test --release --test house -- --ignored"
     );
 }

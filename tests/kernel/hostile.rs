@@ -80,7 +80,7 @@ fn toml_that_nests_or_never_ends() {
 }
 
 fn statement() -> Vec<u8> {
-    std::fs::read("tests/reject/certificate/statement.toml").unwrap()
+    std::fs::read("tests/data/reject/certificate/statement.toml").unwrap()
 }
 
 /// A certificate for that statement with these lines between the claim and the end.

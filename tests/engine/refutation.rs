@@ -187,7 +187,7 @@ fn isolated_zeros_in_the_field_are_found() {
 /// A quarter of a cylinder whose middle weight is open: of ±√2/2 the one that gives positive weights.
 #[test]
 fn of_two_nets_the_one_with_positive_weights_is_given() {
-    let text = std::fs::read_to_string("tests/cmd/session.in/cylinder.toml").unwrap();
+    let text = std::fs::read_to_string("tests/data/sessions/session.in/cylinder.toml").unwrap();
     let attempt = prove(&Statement::read(&text).unwrap(), &Control::default()).unwrap();
     let Attempt::Proved { theorem, .. } = attempt else { panic!("{attempt:?}") };
     let Claim::Exact { values, weights_positive: true, .. } = theorem.claim() else { panic!("{theorem:?}") };
@@ -204,7 +204,7 @@ fn constants_among_the_equations() {
 
 #[test]
 fn a_patch_without_a_denominator_is_not_exact() {
-    let text = std::fs::read_to_string("tests/reject/certificate/NoDenominator.toml").unwrap();
+    let text = std::fs::read_to_string("tests/data/reject/certificate/NoDenominator.toml").unwrap();
     let attempt = prove(&Statement::read(&text).unwrap(), &Control::default()).unwrap();
     assert!(!matches!(attempt, Attempt::Proved { .. }), "{attempt:?}");
 }

@@ -2,12 +2,10 @@
 //!
 //! A system that is not installed is `not run`, which is printed. `scripts/outside` runs all proofs and can require systems.
 
-mod cases;
-
 use std::fs;
 use std::process::{Command, Stdio};
 
-use cases::{committed, damaged, negated, proved};
+use crate::support::{committed, damaged, negated, proved};
 use prove_cap::catalogue::ENTRIES;
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::checker::check_read;

@@ -1,6 +1,6 @@
 //! One file for each way to be wrong, and the exact complaint about it.
 //!
-//! `tests/reject/statement/VARIANT-detail.toml` must be refused with that variant, `tests/reject/certificate/` likewise
+//! `tests/data/reject/statement/VARIANT-detail.toml` must be refused with that variant, `tests/data/reject/certificate/` likewise
 //! (held against `statement.toml` there, or against a file of its own name). The complaint in full stands beside each
 //! file in `.expected`; `PROVE_CAP_UPDATE=1 cargo test` writes it anew. A variant without a file fails the suite.
 
@@ -14,7 +14,7 @@ use prove_cap::statement::Statement;
 
 fn corpus(folder: &str, extension: &str) -> Vec<PathBuf> {
     let entries =
-        fs::read_dir(Path::new("tests/reject").join(folder)).unwrap().map(|entry| entry.unwrap().path());
+        fs::read_dir(Path::new("tests/data/reject").join(folder)).unwrap().map(|entry| entry.unwrap().path());
     let mut files: Vec<PathBuf> =
         entries.filter(|path| path.extension().is_some_and(|e| e == extension)).collect();
     files.sort();
@@ -82,7 +82,8 @@ fn wrong_listings_are_refused_with_the_exact_complaint() {
             "txt" => Listing::from_formulas("", &text, Notation::Plain),
             _ => Listing::from_toml(&text),
         };
-        let statement = Statement::read(&fs::read_to_string("tests/reject/listing/statement.toml").unwrap());
+        let statement =
+            Statement::read(&fs::read_to_string("tests/data/reject/listing/statement.toml").unwrap());
         let audit = listing.map_err(AuditError::from).and_then(|listing| {
             Audit::of(&listing, &statement.unwrap(), &prove_cap::elimination::Control::default())
         });
@@ -120,7 +121,7 @@ fn wrong_certificates_are_refused_with_the_exact_complaint() {
 
 #[test]
 fn the_corpus_is_wrong_in_one_way_only() {
-    let statement = fs::read("tests/reject/certificate/statement.toml").unwrap();
-    let good = fs::read("tests/accept/two_steps.txt").unwrap();
+    let statement = fs::read("tests/data/reject/certificate/statement.toml").unwrap();
+    let good = fs::read("tests/data/accept/two_steps.txt").unwrap();
     check(&statement, &good).expect("the certificate that most of them are made from is right");
 }

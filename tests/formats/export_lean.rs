@@ -1,12 +1,9 @@
 //! Lean texts: every identity that they leave to `ring` is one, and nothing that others wrote is in their code.
 
-mod cases;
-mod lean;
-
 use std::fs;
 
-use cases::{LARGEST, committed, damaged, folders};
-use lean::{Environment, MODULUS, Verified, add, multiply, power, verify};
+use crate::lean::{Environment, MODULUS, Verified, add, multiply, power, verify};
+use crate::support::{LARGEST, committed, damaged, folders};
 use num_bigint::BigInt;
 use prove_cap::certificate::{Argument, Certificate, Premise};
 use prove_cap::exact::{Polynomial, Work};

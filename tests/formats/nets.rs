@@ -11,11 +11,11 @@ fn audit(net: &PrintedNet) -> NetAudit {
 }
 
 fn cobb() -> PrintedNet {
-    from_json(&fs::read_to_string("tests/nets/cobb-4x4.json").unwrap()).unwrap()
+    from_json(&fs::read_to_string("tests/data/nets/cobb-4x4.json").unwrap()).unwrap()
 }
 
 fn matlab(name: &str, convention: Convention) -> PrintedNet {
-    from_matlab(&fs::read_to_string(format!("tests/nets/{name}.m")).unwrap(), name, convention).unwrap()
+    from_matlab(&fs::read_to_string(format!("tests/data/nets/{name}.m")).unwrap(), name, convention).unwrap()
 }
 
 #[test]

@@ -1,15 +1,12 @@
 //! Proofs in the practical algebraic calculus: replayed here by a strict reader of its own, and by `pacheck -e` where it is installed.
 
-mod cases;
-mod pac;
-
 use std::fs;
 use std::process::Command;
 
-use cases::{LARGEST, committed, damaged, refutations};
+use crate::pac::{Verdict, parse, replay};
+use crate::support::{LARGEST, committed, damaged, refutations};
 use num_rational::BigRational;
 use num_traits::Zero;
-use pac::{Verdict, parse, replay};
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::checker::Equations;
 use prove_cap::exact::{Polynomial, Work};

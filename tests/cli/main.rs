@@ -1,0 +1,6 @@
+//! The program: word for word, under limits, killed, and its pictures.
+
+mod crash;
+mod figures;
+mod limits;
+mod sessions;

@@ -1,0 +1,10 @@
+//! What searches for proofs, nets and best values: laws, known answers, and twins that must fail.
+
+mod algebra;
+mod bounds;
+mod construction;
+mod expansion;
+mod families;
+mod lifting;
+mod refutation;
+mod systems;

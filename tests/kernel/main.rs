@@ -1,0 +1,5 @@
+//! The trusted part: what it accepts, what it refuses, and in what words.
+
+mod hostile;
+mod reject;
+mod theorem;
