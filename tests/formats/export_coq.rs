@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::support::{LARGEST, committed, damaged, folders, negated, parsed, proved, refutations};
+use crate::support::{LARGEST, committed, damaged, folders, negated, not_run, parsed, proved, refutations};
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::exact::Polynomial;
 use prove_cap::export::{Case, ExportError, Target, export};
@@ -29,7 +29,7 @@ fn coq(text: &str) -> Option<Result<Vec<String>, String>> {
     fs::write(folder.path().join("theorem.v"), text).unwrap();
     let output = Command::new("coqc").arg("theorem.v").current_dir(folder.path()).output();
     let Ok(output) = output else {
-        println!("not run: coqc is not installed");
+        not_run("coq");
         return None;
     };
     let [stdout, stderr] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());

@@ -4,7 +4,7 @@ use std::fs;
 use std::process::Command;
 
 use crate::pac::{Verdict, parse, replay};
-use crate::support::{LARGEST, committed, damaged, refutations};
+use crate::support::{LARGEST, committed, damaged, not_run, refutations};
 use num_rational::BigRational;
 use num_traits::Zero;
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
@@ -262,8 +262,7 @@ fn the_command_writes_three_files() {
 #[test]
 fn pacheck_agrees() {
     if Command::new("pacheck").arg("-h").output().is_err() {
-        println!("not run: no pacheck on the path");
-        return;
+        return not_run("pacheck");
     }
     let directory = tempfile::tempdir().unwrap();
     let verdict = |files: [(&str, String); 3]| {

@@ -5,7 +5,7 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
-use crate::support::{committed, damaged, negated, proved};
+use crate::support::{committed, damaged, negated, not_run, proved};
 use prove_cap::catalogue::ENTRIES;
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::checker::check_read;
@@ -300,8 +300,7 @@ fn judges(target: Target, one_in: usize) {
     let mut wrong = Vec::new();
     for (statement, certificate, say) in judgements().into_iter().chain(more_judgements()).step_by(one_in) {
         let Some(said) = verdict(target, &script(&statement, &certificate, target)) else {
-            println!("not run: {target:?} is not installed");
-            return;
+            return not_run(&format!("{target:?}").to_lowercase());
         };
         if said != say {
             wrong.push(format!("{said}\n   instead of {say}: {}", statement.title()));

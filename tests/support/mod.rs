@@ -9,6 +9,13 @@ use prove_cap::exact::{Polynomial, Work};
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;
 
+/// Says that a program is not installed. Where `PROVE_CAP_REQUIRE` names it (`coq,singular,…`), that is a failure.
+pub(crate) fn not_run(program: &str) {
+    let required = std::env::var("PROVE_CAP_REQUIRE").unwrap_or_default();
+    assert!(!required.split(',').any(|name| name == program), "{program} is required and not installed");
+    println!("not run: {program} is not installed");
+}
+
 /// The folder of the largest proof.
 pub(crate) const LARGEST: &str = "cap-4x3";
 
