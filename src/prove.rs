@@ -5,12 +5,14 @@ use crate::algebra::{
 };
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::checker::{CheckError, Claim, Equations, Rejection, Theorem, check_read};
+use crate::checker::{
+    CheckError, Claim, Equations, ExactNet, ExactRejection, Rejection, Theorem, check_read,
+};
 use crate::elimination::{
     Control, Derivation, Interrupted, NamedStep, Outcome, Progress, Source, System, Undecided, eliminate,
     points_in_field,
 };
-use crate::exact::{self, Limit, Work};
+use crate::exact::{self, Limit, Stop, Work};
 use crate::statement::{Statement, Subject};
 
 /// How an attempt at a statement ended.
@@ -46,7 +48,7 @@ pub enum ProveError {
     Limit(#[from] Limit),
     /// The checker could not even derive the equations, whatever the certificate.
     #[error("too large for the checker, which would have to derive the equations: {0}")]
-    TooLarge(Limit),
+    TooLarge(Stop),
     /// The independent checker refused what the engine found: a defect of this program.
     #[error("the independent checker refused the certificate: {0}")]
     Refused(CheckError),
@@ -137,13 +139,13 @@ fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<O
         match checked(statement, Argument::Exact(values)) {
             Ok(attempt) => {
                 let positive = matches!(&attempt, Attempt::Proved { theorem, .. }
-                    if !matches!(theorem.claim(), Claim::Exact { weights_positive: false, .. }));
+                    if !matches!(theorem.claim(), Claim::Exact(ExactNet { weights_positive: false, .. })));
                 if positive {
                     return Ok(Some(attempt));
                 }
                 best = best.or(Some(attempt));
             }
-            Err(CheckError::Rejected(Rejection::NoDenominator)) => {}
+            Err(CheckError::Rejected(Rejection::Exact(ExactRejection::NoDenominator))) => {}
             Err(refused) => return Err(ProveError::Refused(refused)),
         }
     }

@@ -14,7 +14,7 @@ use super::tree::{NoTree, tree};
 use crate::algebra::{FieldElement, Integer, MultiquadraticField};
 use crate::bezier::{binomial, surface_condition};
 use crate::certificate::{Argument, Bounds, Certificate, End, Quantity, Side, Units, decimal_value};
-use crate::checker::{CheckError, Rejection, Theorem, check_read};
+use crate::checker::{BoundsRejection, CheckError, Rejection, Theorem, check_read};
 use crate::elimination::{Control, Interrupted};
 use crate::exact::{self, Limit, Polynomial, Work};
 use crate::prove::field_of;
@@ -116,7 +116,11 @@ pub fn enclose(
                 return Ok(Enclosure { bounds, attained, certificate, theorem });
             }
             // The extreme lies next to a decimal: its place must be known better.
-            Err(CheckError::Rejected(Rejection::NotReached { .. })) if finer + 16 < SPARE / 2 => finer += 16,
+            Err(CheckError::Rejected(Rejection::Bounds(BoundsRejection::NotReached { .. })))
+                if finer + 16 < SPARE / 2 =>
+            {
+                finer += 16;
+            }
             Err(error) => return Err(EnclosureError::Refused(error)),
         }
     }

@@ -23,7 +23,7 @@ pub use targets::{Target, Targets};
 use compare::{Printed, compare};
 
 use crate::elimination::{Control, Interrupted};
-use crate::exact::{Limit, Work};
+use crate::exact::{Limit, Stop, Work};
 use crate::listing::{Listing, ListingError, ListingFault, Meaning, Scope, Symbol};
 use crate::statement::{Place, Statement};
 
@@ -56,7 +56,7 @@ pub enum AuditError {
     Limit(#[from] Limit),
     /// The statement has a surface condition that the trusted part could not expand.
     #[error("the statement is too large: {0}")]
-    TooLarge(Limit),
+    TooLarge(Stop),
     /// Stopped by the user or by the clock.
     #[error("stopped: {0}")]
     Interrupted(Interrupted),

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 
 use super::text::harmless;
 use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::exact::{Limit, Polynomial, Radicands, Work};
+use crate::exact::{Limit, Polynomial, Radicands, Stop, Work};
 use crate::statement::{HomogeneousPoint, Patch, Statement, Subject};
 
 /// What is exported: the equations and why they have no common zero, or the one they have.
@@ -70,6 +70,9 @@ pub enum ExportError {
     /// The values could not be put in.
     #[error(transparent)]
     Limit(#[from] Limit),
+    /// The equations could not be derived.
+    #[error("{0}")]
+    Equations(#[from] Stop),
 }
 
 impl Case {

@@ -4,8 +4,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use crate::checker::{self, CheckError, Claim, Theorem};
-use crate::exact::{Polynomial, Work, limits};
+use crate::checker::{self, CheckError, Place, Theorem};
+use crate::exact::{Work, limits};
 use crate::outcome::{Failure, Outcome, Status};
 use crate::statement::Statement;
 
@@ -27,8 +27,10 @@ pub fn examine(statement: &Path, certificate: &Path) -> Result<Result<Theorem, S
         Err(CheckError::Rejected(rejection)) => Ok(Err(rejection.to_string())),
         Err(CheckError::Statement(error)) => Err(Failure(format!("{}:{error}", statement.display()))),
         Err(CheckError::Certificate(error)) => Err(Failure(format!("{}:{error}", certificate.display()))),
-        Err(error @ CheckError::Equations(_)) => Err(Failure(format!("{}: {error}", statement.display()))),
-        Err(error @ (CheckError::Replay { .. } | CheckError::Subdivision { .. })) => {
+        Err(error @ CheckError::Limited { place: Place::Equations, .. }) => {
+            Err(Failure(format!("{}: {error}", statement.display())))
+        }
+        Err(error @ (CheckError::Limited { .. } | CheckError::Defect(_))) => {
             Err(Failure(format!("{}: {error}", certificate.display())))
         }
     }
@@ -61,35 +63,7 @@ fn verified(theorem: &Theorem) -> String {
     lines.push(String::new());
     lines.push(format!("title      {} (not checked)", statement.title()));
     lines.push(format!("statement  sha256 {}", statement.hash()));
-    match theorem.claim() {
-        Claim::Impossible { steps, multiplier_terms } => {
-            lines
-                .push(format!("replayed   {steps} steps with {multiplier_terms} terms in their multipliers"));
-        }
-        Claim::Bounds { values, boxes, .. } => {
-            lines.push(format!("replayed   {boxes} boxes"));
-            lines.extend(spelled(statement, values));
-        }
-        Claim::Cover { values, corners, boxes, inward, .. } => {
-            lines.push(format!("replayed   {boxes} boxes"));
-            lines.push(format!("normal     {}", if *inward { "inward" } else { "outward" }));
-            lines.extend(spelled(statement, values));
-            let ring = statement.ring();
-            for (at, corner) in ["(0,0)", "(1,0)", "(1,1)", "(0,1)"].iter().zip(corners) {
-                let corner = corner.each_ref().map(|x| ring.spell(x)).join(", ");
-                lines.push(format!("corner     {at} -> ({corner})"));
-            }
-        }
-        Claim::Unreachable { boxes, .. } => lines.push(format!("replayed   {boxes} boxes")),
-        Claim::Exact { values, .. } | Claim::Solution { values } => lines.extend(spelled(statement, values)),
-    }
+    lines.extend(theorem.details());
     lines.push(String::new());
     lines.join("\n")
-}
-
-/// The values of the unknowns, a line each.
-fn spelled(statement: &Statement, values: &[Polynomial]) -> Vec<String> {
-    let ring = statement.ring();
-    let pairs = statement.unknowns().iter().zip(values);
-    pairs.map(|(name, value)| format!("value      {name} = {}", ring.spell(value))).collect()
 }

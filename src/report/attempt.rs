@@ -42,7 +42,7 @@ pub fn describe(
             text += &reason_text(statement, reason)?;
         }
         Attempt::Proved { certificate, theorem } => match theorem.claim() {
-            Claim::Impossible { .. } => {
+            Claim::Impossible(_) => {
                 let subject = match statement.subject() {
                     Subject::Patch(_) => "no such patch lies on the surface",
                     Subject::System(_) => "no common zero",
@@ -51,12 +51,12 @@ pub fn describe(
                 let _ = writeln!(text, "{}\n", statement.title());
                 text += &refutation(statement, cap, certificate)?;
             }
-            Claim::Exact { .. } | Claim::Solution { .. } => {
+            Claim::Exact(_) | Claim::Solution(_) => {
                 let _ = writeln!(
                     text,
                     "EXACT  {name}: {}\n",
                     match theorem.claim() {
-                        Claim::Exact { .. } => "this patch lies on the surface",
+                        Claim::Exact(_) => "this patch lies on the surface",
                         _ => "the system has this solution",
                     }
                 );
@@ -64,7 +64,7 @@ pub fn describe(
                 text += &solution(statement, theorem);
             }
             // Elimination proves nothing of this kind; what it is would be said like this.
-            Claim::Bounds { .. } | Claim::Unreachable { .. } | Claim::Cover { .. } => {
+            Claim::Bounds(_) | Claim::Unreachable(_) | Claim::Cover(_) => {
                 let _ = writeln!(text, "PROVED  {name}: {}\n", theorem.kind());
             }
         },

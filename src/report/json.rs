@@ -6,7 +6,7 @@ use super::attempt::Files;
 
 use crate::algebra::{self, polynomial_to_exact};
 use crate::certificate::{Argument, Step};
-use crate::checker::{Claim, Theorem};
+use crate::checker::{Claim, ExactNet, Solution, Theorem};
 use crate::elimination::Undecided;
 use crate::exact::{Limit, Polynomial};
 use crate::expand::{Basis, Coefficient, coefficients};
@@ -197,8 +197,7 @@ pub fn attempt(
     match attempt {
         Attempt::Undecided(why) => data.reason = Some(reason(of, why)?),
         Attempt::Proved { certificate, theorem } => {
-            data.verdict =
-                if matches!(theorem.claim(), Claim::Impossible { .. }) { "PROVED" } else { "EXACT" };
+            data.verdict = if matches!(theorem.claim(), Claim::Impossible(_)) { "PROVED" } else { "EXACT" };
             data.claim = Some(theorem.kind());
             data.theorem = Some(theorem.sentence());
             if let Argument::Impossible(steps) = &certificate.argument {
@@ -219,12 +218,12 @@ fn solution(data: &mut AttemptData, theorem: &Theorem) {
         Some(spelled.collect())
     };
     match theorem.claim() {
-        Claim::Exact { values, net: points, weights_positive } => {
+        Claim::Exact(ExactNet { values, net: points, weights_positive }) => {
             data.values = named(values);
             data.net = Some(net(statement, points));
             data.weights_positive = Some(*weights_positive);
         }
-        Claim::Solution { values } => data.values = named(values),
+        Claim::Solution(Solution { values }) => data.values = named(values),
         _ => {}
     }
 }

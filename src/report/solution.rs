@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::mathematics::Notation;
-use crate::checker::{Claim, Theorem};
+use crate::checker::{Claim, ExactNet, Solution, Theorem};
 use crate::statement::{COORDINATES, Statement};
 
 /// The values of the unknowns and the net at them.
@@ -11,8 +11,8 @@ pub(super) fn solution(statement: &Statement, theorem: &Theorem) -> String {
     let notation = Notation::new(statement.ring());
     let mut text = String::new();
     let (values, net) = match theorem.claim() {
-        Claim::Exact { values, net, .. } => (values, Some(net)),
-        Claim::Solution { values } => (values, None),
+        Claim::Exact(ExactNet { values, net, .. }) => (values, Some(net)),
+        Claim::Solution(Solution { values }) => (values, None),
         _ => return text,
     };
     if !values.is_empty() {

@@ -15,7 +15,10 @@ use prove_cap::catalogue;
 use prove_cap::certificate::{
     Argument, Bounds, Certificate, Quantity, Region, Side, Unreachable, decimal_value, spell_decimal,
 };
-use prove_cap::checker::{CheckError, Claim, Rejection, check, check_read};
+use prove_cap::checker::{
+    BoundsRejection, CheckError, Claim, Excluded, Rejection, SubdivisionRejection, UnreachableRejection,
+    check, check_read,
+};
 use prove_cap::elimination::Control;
 use prove_cap::exact::{Polynomial, Work};
 use prove_cap::statement::{Statement, Subject};
@@ -89,7 +92,9 @@ fn committed_barriers_are_accepted_and_stand_a_millionth_below_committed_bounds(
     assert!(barriers.len() >= 2);
     for (file, statement, certificate) in barriers {
         let theorem = check_read(&statement, &certificate).unwrap();
-        let Claim::Unreachable { places, between, .. } = theorem.claim() else { panic!("another claim") };
+        let Claim::Unreachable(Excluded { places, between, .. }) = theorem.claim() else {
+            panic!("another claim")
+        };
         let barrier = decimal_value(&between[1], *places) - BigRational::from_integer(1.into());
         let reached = committed("bounds").into_iter().filter(|(other, ..)| other.parent() == file.parent());
         let least = reached.map(|(_, _, certificate)| {
@@ -367,13 +372,24 @@ fn changed_bounds_are_rejected_though_they_are_sealed_anew() {
         let tightened = [with(&|b| b.lower.bound += 1), with(&|b| b.upper.bound -= 1)];
         for result in tightened {
             assert!(
-                matches!(result, Err(Rejection::Sign { .. } | Rejection::NotReached { .. })),
+                matches!(
+                    result,
+                    Err(Rejection::Bounds(
+                        BoundsRejection::Subdivision(SubdivisionRejection::Sign { .. })
+                            | BoundsRejection::NotReached { .. }
+                    ))
+                ),
                 "{result:?}"
             );
         }
         for result in [with(&|b| b.lower.bound -= 2), with(&|b| b.upper.bound += 2)] {
-            let expected =
-                matches!(result, Err(Rejection::NotReached { .. } | Rejection::NeedlessHalving { .. }));
+            let expected = matches!(
+                result,
+                Err(Rejection::Bounds(
+                    BoundsRejection::NotReached { .. }
+                        | BoundsRejection::Subdivision(SubdivisionRejection::NeedlessHalving { .. })
+                ))
+            );
             assert!(expected, "{result:?}");
         }
         for which in ["denominator", "lower", "upper"] {
@@ -388,7 +404,15 @@ fn changed_bounds_are_rejected_though_they_are_sealed_anew() {
                     t.splice(last.., [true, false, false]);
                 });
             });
-            assert!(matches!(halved, Err(Rejection::NeedlessHalving { .. })), "{which}: {halved:?}");
+            assert!(
+                matches!(
+                    halved,
+                    Err(Rejection::Bounds(BoundsRejection::Subdivision(
+                        SubdivisionRejection::NeedlessHalving { .. }
+                    )))
+                ),
+                "{which}: {halved:?}"
+            );
             let pruned = with(&|b| tree(b, &|t| *t = vec![false]));
             let whole = match which {
                 "denominator" => bounds.denominator.len(),
@@ -423,19 +447,34 @@ fn changed_barriers_are_rejected_though_they_are_sealed_anew() {
             a.lower -= &half / 1000i32;
             a.upper += &half / 1000i32;
         });
-        assert!(matches!(wider, Err(Rejection::NotExcluded { .. })), "{wider:?}");
-        assert!(matches!(with(&|a| a.range = 1.into()), Err(Rejection::NotExcluded { .. })));
-        assert!(matches!(with(&|a| a.charts.swap(0, 1)), Err(Rejection::NotExcluded { .. })));
+        assert!(
+            matches!(wider, Err(Rejection::Unreachable(UnreachableRejection::NotExcluded { .. }))),
+            "{wider:?}"
+        );
+        assert!(matches!(
+            with(&|a| a.range = 1.into()),
+            Err(Rejection::Unreachable(UnreachableRejection::NotExcluded { .. }))
+        ));
+        assert!(matches!(
+            with(&|a| a.charts.swap(0, 1)),
+            Err(Rejection::Unreachable(UnreachableRejection::NotExcluded { .. }))
+        ));
         let moved = with(&|a| {
             for sample in &mut a.samples {
                 sample[0].value = BigRational::new(1.into(), 100.into());
             }
         });
-        assert!(matches!(moved, Err(Rejection::NotExcluded { .. })), "{moved:?}");
+        assert!(
+            matches!(moved, Err(Rejection::Unreachable(UnreachableRejection::NotExcluded { .. }))),
+            "{moved:?}"
+        );
         // Where no weight is unknown, samples need not move.
         if statement.unknowns().contains(&"w".to_owned()) {
             let still = with(&|a| a.samples.iter_mut().flatten().for_each(|odds| odds.shrinking = false));
-            assert!(matches!(still, Err(Rejection::NotExcluded { .. })), "{still:?}");
+            assert!(
+                matches!(still, Err(Rejection::Unreachable(UnreachableRejection::NotExcluded { .. }))),
+                "{still:?}"
+            );
         }
         // Each box for itself: another side does not exclude it.
         let others = with(&|a| {
@@ -449,7 +488,10 @@ fn changed_barriers_are_rejected_though_they_are_sealed_anew() {
                 }
             }
         });
-        assert!(matches!(others, Err(Rejection::NotExcluded { .. })), "{others:?}");
+        assert!(
+            matches!(others, Err(Rejection::Unreachable(UnreachableRejection::NotExcluded { .. }))),
+            "{others:?}"
+        );
     }
 }
 

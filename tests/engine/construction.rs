@@ -4,7 +4,10 @@ use num_rational::BigRational;
 use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, Sign, polynomial_from_exact, spell};
 use prove_cap::catalogue;
 use prove_cap::certificate::{Argument, Certificate, Cover, EdgeTree};
-use prove_cap::checker::{CheckError, Claim, Rejection, Theorem, check, check_read};
+use prove_cap::checker::{
+    CheckError, Claim, CoverRejection, Covered, ExactNet, ExactRejection, Rejection, SubdivisionRejection,
+    Theorem, check, check_read,
+};
 use prove_cap::construction::{
     Cell, CoverError, How, Phase, Refusal, centre_of, classify, closing_certificate, closing_statement,
     closing_values, construct, cover, elevated, tile, triple_products,
@@ -41,7 +44,7 @@ fn net_of(statement: &Statement) -> Vec<Vec<Point>> {
 }
 
 fn corners_of(theorem: &Theorem, field: MultiquadraticField) -> Vec<Vector> {
-    let Claim::Cover { corners, .. } = theorem.claim() else { panic!("a cover") };
+    let Claim::Cover(Covered { corners, .. }) = theorem.claim() else { panic!("a cover") };
     let number = |entry: &Polynomial| polynomial_from_exact(field, entry).as_constant().unwrap();
     corners.iter().map(|corner| corner.each_ref().map(number)).collect()
 }
@@ -59,9 +62,9 @@ fn changed(change: impl Fn(&mut Cover)) -> Result<Theorem, CheckError> {
     check_read(&made.statement, &Certificate { argument: Argument::Cover(cover), ..certificate })
 }
 
-fn rejection(result: Result<Theorem, CheckError>) -> Rejection {
+fn rejection(result: Result<Theorem, CheckError>) -> CoverRejection {
     match result {
-        Err(CheckError::Rejected(rejection)) => rejection,
+        Err(CheckError::Rejected(Rejection::Cover(rejection))) => rejection,
         other => panic!("expected a rejection, found {other:?}"),
     }
 }
@@ -109,18 +112,21 @@ fn fifteen_points_are_enough_for_the_cap_and_their_jacobian_needs_no_halving() {
 #[test]
 fn the_checker_refuses_a_cover_that_is_not_one() {
     assert!(changed(|_| {}).is_ok());
-    assert_eq!(rejection(changed(|cover| cover.inward = true)), Rejection::Sign { tree: "regular", node: 1 });
+    assert_eq!(
+        rejection(changed(|cover| cover.inward = true)),
+        CoverRejection::Subdivision(SubdivisionRejection::Sign { tree: "regular", node: 1 })
+    );
     assert_eq!(
         rejection(changed(|cover| cover.edges[2] = EdgeTree::Point)),
-        Rejection::Edge { edge: "v=0", expected: "a point" }
+        CoverRejection::Edge { edge: "v=0", expected: "a point" }
     );
     assert_eq!(
         rejection(changed(|cover| cover.denominator = vec![true, false, false])),
-        Rejection::NeedlessHalving { tree: "denominator", node: 1 }
+        CoverRejection::Subdivision(SubdivisionRejection::NeedlessHalving { tree: "denominator", node: 1 })
     );
     assert_eq!(
         rejection(changed(|cover| cover.edges[0] = EdgeTree::Arc(vec![true, false, false]))),
-        Rejection::NeedlessHalving { tree: "u=0", node: 1 }
+        CoverRejection::Subdivision(SubdivisionRejection::NeedlessHalving { tree: "u=0", node: 1 })
     );
 }
 
@@ -140,7 +146,7 @@ fn edges_in_small_circles_are_refused() {
     let text = catalogue::find("stereographic").unwrap().statement();
     let statement = Statement::read(&text).unwrap();
     let Ok(Attempt::Proved { theorem, .. }) = prove(&statement, &control()) else { panic!("exact") };
-    let Claim::Exact { values, .. } = theorem.claim() else { panic!("exact") };
+    let Claim::Exact(ExactNet { values, .. }) = theorem.claim() else { panic!("exact") };
     let cover = Cover {
         values: values.clone(),
         denominator: vec![false],
@@ -150,7 +156,7 @@ fn edges_in_small_circles_are_refused() {
     };
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Cover(cover) };
     let refused = rejection(check_read(&statement, &certificate));
-    assert_eq!(refused, Rejection::Edge { edge: "u=0", expected: "an arc of a great circle" });
+    assert_eq!(refused, CoverRejection::Edge { edge: "u=0", expected: "an arc of a great circle" });
 }
 
 /// Two thirds of a hemisphere: from the pole to an edge that runs through 240° of a great circle. Regular, with positive weights, but not
@@ -172,14 +178,20 @@ fn an_edge_that_runs_the_longer_way_is_refused() {
     let statement = Statement::read(&catalogue::net_statement("240 degrees", "", &net)).unwrap();
     let mut edges = arcs();
     edges[1] = EdgeTree::Point;
-    assert_eq!(rejection(simple_cover(&statement, edges)), Rejection::Sign { tree: "u=0", node: 1 });
+    assert_eq!(
+        rejection(simple_cover(&statement, edges)),
+        CoverRejection::Subdivision(SubdivisionRejection::Sign { tree: "u=0", node: 1 })
+    );
 }
 
 #[test]
 fn a_cover_of_another_surface_is_refused() {
     let text = catalogue::find("cap-4x2-exact").unwrap().statement().replace("- W^2", "- 2*W^2");
     let statement = Statement::read(&text).unwrap();
-    assert!(matches!(rejection(simple_cover(&statement, arcs())), Rejection::NotAZero { .. }));
+    assert!(matches!(
+        rejection(simple_cover(&statement, arcs())),
+        CoverRejection::Exact(ExactRejection::NotAZero { .. })
+    ));
 }
 
 #[test]
@@ -191,21 +203,24 @@ fn two_edges_that_are_points_are_refused() {
     );
     let statement = Statement::read(&text).unwrap();
     let points = std::array::from_fn(|_| EdgeTree::Point);
-    assert_eq!(rejection(simple_cover(&statement, points)), Rejection::Points { edge: "u=1" });
+    assert_eq!(rejection(simple_cover(&statement, points)), CoverRejection::Points { edge: "u=1" });
     assert_eq!(
         rejection(simple_cover(&statement, arcs())),
-        Rejection::Edge { edge: "u=0", expected: "an arc of a great circle" }
+        CoverRejection::Edge { edge: "u=0", expected: "an arc of a great circle" }
     );
 }
 
 /// A net of the unit sphere over Q with one entry's sign turned: where the checker says it fails.
-fn with_turned_sign(name: &str, from: &str) -> Rejection {
+fn with_turned_sign(name: &str, from: &str) -> ExactRejection {
     let text = catalogue::find(name).unwrap().statement();
     assert!(text.contains(from), "{name}");
     let turned = from.replacen('"', "\"-", 1);
     let statement = Statement::read(&text.replacen(from, &turned, 1)).unwrap();
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Exact(vec![]) };
-    rejection(check_read(&statement, &certificate))
+    match check_read(&statement, &certificate) {
+        Err(CheckError::Rejected(Rejection::Exact(rejection))) => rejection,
+        other => panic!("expected a rejection, found {other:?}"),
+    }
 }
 
 #[test]
@@ -213,7 +228,7 @@ fn one_turned_sign_in_cobbs_net_fails_at_a_named_coefficient() {
     let text = catalogue::find("cobb").unwrap().statement();
     let entry = text.split('[').filter(|point| point.starts_with("\"4")).nth(1).expect("an entry");
     let first = entry.split(',').next().unwrap().to_owned() + ",";
-    let Rejection::NotAZero { equation, actual } = with_turned_sign("cobb", &first) else {
+    let ExactRejection::NotAZero { equation, actual } = with_turned_sign("cobb", &first) else {
         panic!("no zero")
     };
     assert!(equation.to_string().starts_with("c["), "{equation}");
@@ -225,11 +240,13 @@ fn cobbs_net_and_the_octant_are_covers() {
     let statement = Statement::read(&catalogue::find("cobb").unwrap().statement()).unwrap();
     let net = net_of(&statement);
     let (_, theorem) = cover(&statement, &net, &control()).unwrap();
-    let Claim::Cover { corners, .. } = theorem.claim() else { panic!("a cover") };
+    let Claim::Cover(Covered { corners, .. }) = theorem.claim() else { panic!("a cover") };
     assert_eq!(corners.len(), 4);
     let octant = NamedPolygon::find("octant").unwrap().polygon();
     let made = construct(&octant, "octant", (2, 2), None, &control()).unwrap();
-    let Claim::Cover { point, .. } = made.cover.unwrap().1.claim().clone() else { panic!("a cover") };
+    let Claim::Cover(Covered { point, .. }) = made.cover.unwrap().1.claim().clone() else {
+        panic!("a cover")
+    };
     assert_eq!(point, Some("u=1"));
 }
 

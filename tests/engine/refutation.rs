@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use prove_cap::checker::Claim;
+use prove_cap::checker::{Claim, ExactNet, Solution};
 use prove_cap::elimination::{Control, Interrupted, Undecided};
 use prove_cap::prove::{Attempt, ProveError, Reason, prove};
 use prove_cap::statement::Statement;
@@ -28,8 +28,8 @@ enum Answer {
 fn answer(statement: &Statement) -> Answer {
     match prove(statement, &Control::default()).unwrap() {
         Attempt::Proved { theorem, .. } => match theorem.claim() {
-            Claim::Impossible { .. } => Answer::Impossible,
-            Claim::Solution { values } => {
+            Claim::Impossible(_) => Answer::Impossible,
+            Claim::Solution(Solution { values }) => {
                 Answer::Solution(values.iter().map(|value| statement.ring().spell(value)).collect())
             }
             _ => Answer::Other,
@@ -190,7 +190,9 @@ fn of_two_nets_the_one_with_positive_weights_is_given() {
     let text = std::fs::read_to_string("tests/data/sessions/session.in/cylinder.toml").unwrap();
     let attempt = prove(&Statement::read(&text).unwrap(), &Control::default()).unwrap();
     let Attempt::Proved { theorem, .. } = attempt else { panic!("{attempt:?}") };
-    let Claim::Exact { values, weights_positive: true, .. } = theorem.claim() else { panic!("{theorem:?}") };
+    let Claim::Exact(ExactNet { values, weights_positive: true, .. }) = theorem.claim() else {
+        panic!("{theorem:?}")
+    };
     assert_eq!(theorem.statement().ring().spell(&values[0]), "1/2*sqrt(2)");
 }
 

@@ -42,7 +42,7 @@ impl System {
         let statement = Statement::read(&text).unwrap_or_else(|error| panic!("{error}"));
         match prove(&statement, &Control::default()).unwrap() {
             Attempt::Proved { theorem, .. } => match theorem.claim() {
-                Claim::Impossible { .. } => Answer::Impossible,
+                Claim::Impossible(_) => Answer::Impossible,
                 other => panic!("{other:?}"),
             },
             Attempt::Undecided(Reason::Elimination(Undecided::Consistent(closure))) => {

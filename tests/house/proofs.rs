@@ -6,7 +6,7 @@ use std::path::Path;
 use proptest::prelude::*;
 use prove_cap::catalogue::{self, ENTRIES};
 use prove_cap::certificate::{Argument, Certificate, Premise};
-use prove_cap::checker::{CheckError, Claim, Rejection, check, check_read};
+use prove_cap::checker::{CheckError, Claim, ExactRejection, Rejection, check, check_read};
 use prove_cap::elimination::Control;
 use prove_cap::exact::{Polynomial, Radicands, Work};
 use prove_cap::prove::{Attempt, prove};
@@ -40,7 +40,7 @@ fn every_built_in_statement_has_its_committed_proof() {
             let written = certificate.write(&statement.ring());
             assert_eq!(written, committed(entry.name, "certificate.txt"), "{}", entry.name);
             let impossible = !entry.summary.starts_with("positive control");
-            assert_eq!(matches!(theorem.claim(), Claim::Impossible { .. }), impossible, "{}", entry.name);
+            assert_eq!(matches!(theorem.claim(), Claim::Impossible(_)), impossible, "{}", entry.name);
         }
         let theorem = check(text.as_bytes(), committed(entry.name, "certificate.txt").as_bytes()).unwrap();
         assert!(theorem.sentence().contains(&statement.field().to_string()) || !entry.is_cap());
@@ -219,7 +219,7 @@ fn a_flipped_sign_in_cobbs_net_is_found() {
         let claim = Certificate { statement: statement.hash(), argument: Argument::Exact(Vec::new()) };
         let result = check_read(&statement, &claim);
         assert!(
-            matches!(result, Err(CheckError::Rejected(Rejection::NotAZero { .. }))),
+            matches!(result, Err(CheckError::Rejected(Rejection::Exact(ExactRejection::NotAZero { .. })))),
             "{entry}: {result:?}"
         );
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::time::{Duration, Instant};
 
 use prove_cap::certificate::CertificateFault;
-use prove_cap::checker::{CheckError, check};
+use prove_cap::checker::{CheckError, Place, check};
 use prove_cap::exact::{Work, limits};
 use prove_cap::statement::{Statement, StatementError, StatementFault};
 use sha2::{Digest, Sha256};
@@ -144,7 +144,7 @@ fn a_product_of_two_long_polynomials_is_counted_before_it_is_made() {
         "step 1\nadd f[1] times {long}\nconclude {long}\nstep 2\nadd step 1 times {long}\nconclude 1\nend 2\n"
     );
     let error = complaint(certificate(&lines).as_bytes());
-    assert!(matches!(error, CheckError::Rejected(_) | CheckError::Replay { .. }), "{error:?}");
+    assert!(matches!(error, CheckError::Rejected(_) | CheckError::Limited { .. }), "{error:?}");
 }
 
 /// A certificate by subdivision of the paper's patch, sealed.
@@ -183,7 +183,7 @@ fn deep_trees() {
     };
     let text = sealed(&lines(".", &deep(400_000)), 400_003);
     assert!(
-        matches!(judged(&text), CheckError::Subdivision { .. } | CheckError::Rejected(_)),
+        matches!(judged(&text), CheckError::Limited { place: Place::Node(..), .. } | CheckError::Rejected(_)),
         "{}",
         judged(&text)
     );
@@ -201,7 +201,7 @@ fn deep_trees() {
     }
     let charts: Vec<String> = charts.into_iter().map(String::from).collect();
     let error = judged(&sealed(&charts, 400_005));
-    assert!(matches!(error, CheckError::Subdivision { .. }), "{error}");
+    assert!(matches!(error, CheckError::Limited { place: Place::Node(..), .. }), "{error}");
 }
 
 #[test]
@@ -218,7 +218,9 @@ fn long_numbers_in_arguments_by_subdivision() {
     assert!(
         matches!(
             error,
-            CheckError::Subdivision { .. } | CheckError::Rejected(_) | CheckError::Certificate(_)
+            CheckError::Limited { place: Place::Node(..), .. }
+                | CheckError::Rejected(_)
+                | CheckError::Certificate(_)
         ),
         "{error}"
     );

@@ -1,7 +1,7 @@
 //! The sentences that a completed check comes to, word for word, and what they hold back.
 
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
-use prove_cap::checker::{CheckError, Claim, Theorem, check_read};
+use prove_cap::checker::{CheckError, Claim, ExactNet, Theorem, check_read};
 use prove_cap::exact::Polynomial;
 use prove_cap::statement::Statement;
 
@@ -77,7 +77,7 @@ fn positive_weights_are_claimed_only_where_all_are() {
     let exact = |weights: [&str; 4]| {
         let theorem = proved(&plane("", "", weights), Argument::Exact(Vec::new()));
         assert_eq!(theorem.kind(), "exact");
-        let Claim::Exact { weights_positive, .. } = theorem.claim() else { panic!("{theorem:?}") };
+        let Claim::Exact(ExactNet { weights_positive, .. }) = theorem.claim() else { panic!("{theorem:?}") };
         (*weights_positive, theorem.to_string())
     };
     let (positive, sentence) = exact(["1", "sqrt(2) - 1", "3 - 2*sqrt(2)", "1/7"]);

@@ -26,7 +26,7 @@ pub(super) fn proved(
     Ok(match &attempt {
         Attempt::Proved { certificate, theorem } => {
             let found = match theorem.claim() {
-                Claim::Impossible { .. } => Expectation::Impossible,
+                Claim::Impossible(_) => Expectation::Impossible,
                 _ => Expectation::Exact,
             };
             let how = match &certificate.argument {

@@ -54,7 +54,7 @@ impl NetAudit {
         })?;
         let agrees = match &attempt {
             Attempt::Proved { theorem, .. } => {
-                matches!(theorem.claim(), crate::checker::Claim::Exact { .. }) && residual.is_empty()
+                matches!(theorem.claim(), crate::checker::Claim::Exact(_)) && residual.is_empty()
             }
             Attempt::Undecided(_) => false,
         };

@@ -2,21 +2,23 @@
 //!
 //! It derives the equations from the statement itself, by substitution into the surface polynomial, and
 //! multiplies out what the certificate says. It knows no monomial order, no division and no elimination,
-//! and shares no code with the prover.
+//! and uses nothing of the prover.
 
-mod equations;
 mod error;
-mod net;
-mod replay;
-mod subdivision;
 mod theorem;
 
-pub use equations::Equations;
-pub use error::{CheckError, Rejection};
-pub use theorem::{Claim, Theorem};
+pub use crate::claims::{
+    Bounded, BoundsRejection, Claim, CoverRejection, Covered, ExactNet, ExactRejection, Excluded,
+    ImpossibleRejection, Refuted, Rejection, Solution, SubdivisionRejection, UnreachableRejection,
+};
+pub use crate::equations::Equations;
+pub use crate::failure::Place;
+pub use error::CheckError;
+pub use theorem::Theorem;
 
-use crate::certificate::{Argument, Certificate};
-use crate::exact::{Polynomial, Work};
+use crate::certificate::Certificate;
+use crate::exact::Work;
+use crate::failure::Failure;
 use crate::statement::Statement;
 
 /// Checks the bytes of a certificate file against the bytes of a statement file.
@@ -46,28 +48,8 @@ fn examine(statement: &Statement, certificate: &Certificate, work: &mut Work) ->
     let expected = statement.hash();
     if certificate.statement != expected {
         let actual = certificate.statement.clone();
-        return Err(Rejection::OtherStatement { expected, actual }.into());
+        return Err(Failure::Rejected(Rejection::OtherStatement { expected, actual }).into());
     }
-    match &certificate.argument {
-        Argument::Impossible(steps) => {
-            let equations = Equations::of(statement, work).map_err(CheckError::Equations)?;
-            replay::replay(statement, &equations, steps, work)
-        }
-        Argument::Exact(values) => identity(statement, values, work),
-        Argument::Cover(cover) => {
-            // The patch lies on the sphere; then, that it covers what its corners span.
-            identity(statement, &cover.values, work)?;
-            subdivision::cover::verify(statement, cover, work)
-        }
-        Argument::Bounds(bounds) => subdivision::bounds::verify(statement, bounds, work),
-        Argument::Unreachable(argument) => subdivision::unreachable::verify(statement, argument, work),
-    }
-}
-
-fn identity(statement: &Statement, values: &[Polynomial], work: &mut Work) -> Result<Theorem, CheckError> {
-    let equations = Equations::of(statement, work).map_err(CheckError::Equations)?;
-    net::verify(statement, &equations, values, work).map_err(|error| match error {
-        net::Failure::Rejected(rejection) => rejection.into(),
-        net::Failure::Limit(limit) => CheckError::Replay { step: 0, limit },
-    })
+    let claim = certificate.argument.verify(statement, work)?;
+    Ok(Theorem::established(statement, claim))
 }

@@ -23,4 +23,4 @@ pub use polynomial::Polynomial;
 pub use radicands::{Radicands, RadicandsError};
 pub use sign::sign;
 pub use spelling::{Ring, SpellingError, read_natural};
-pub use work::{Limit, Work};
+pub use work::{Limit, Stop, Work};

@@ -42,6 +42,21 @@ impl Monomial {
         })
     }
 
+    /// The square of a variable.
+    pub fn square(variable: u16) -> Self {
+        Monomial { degree: 2, powers: vec![(variable, 2)], radical: 0 }
+    }
+
+    /// The same with a lower exponent of one variable (the same, where it is lower already).
+    pub fn lowered(&self, variable: u16, exponent: u32) -> Self {
+        let lower =
+            |&(other, old): &(u16, u32)| (other, if other == variable { old.min(exponent) } else { old });
+        let powers: Vec<(u16, u32)> =
+            self.powers.iter().map(lower).filter(|&(_, exponent)| exponent > 0).collect();
+        let degree = powers.iter().fold(0u32, |sum, &(_, exponent)| sum.saturating_add(exponent));
+        Monomial { degree, powers, radical: self.radical }
+    }
+
     /// The total degree in the variables.
     pub fn degree(&self) -> u32 {
         self.degree

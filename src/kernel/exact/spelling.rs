@@ -76,6 +76,19 @@ impl SpellingError {
 }
 
 impl Ring {
+    /// A polynomial for a message: enough of it to see the difference, and never long to spell.
+    pub fn excerpt(&self, polynomial: &Polynomial) -> String {
+        const SHOWN: usize = 400;
+        if polynomial.term_count() > 1000 || polynomial.bit_count() > 100_000 {
+            return format!("a polynomial of {} terms", polynomial.term_count());
+        }
+        let text = self.spell(polynomial);
+        match text.get(..SHOWN) {
+            Some(start) => format!("{start}… ({} characters)", text.len()),
+            None => text,
+        }
+    }
+
     /// The canonical spelling.
     pub fn spell(&self, polynomial: &Polynomial) -> String {
         if polynomial.is_zero() {

@@ -44,6 +44,32 @@ impl fmt::Display for Limit {
 
 impl std::error::Error for Limit {}
 
+/// Why arithmetic did not come to an end.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Stop {
+    /// A limit was reached.
+    Limit(Limit),
+    /// What an earlier check has excluded came about: a fault of this program, never a verdict.
+    Defect(&'static str),
+}
+
+impl From<Limit> for Stop {
+    fn from(limit: Limit) -> Self {
+        Stop::Limit(limit)
+    }
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Stop::Limit(limit) => limit.fmt(f),
+            Stop::Defect(what) => write!(f, "a fault of this program: {what}; please report it"),
+        }
+    }
+}
+
+impl std::error::Error for Stop {}
+
 /// The work still allowed.
 #[derive(Debug, Clone)]
 pub struct Work {

@@ -11,7 +11,9 @@ mod expression;
 mod patch;
 mod source;
 
-use crate::exact::{Polynomial, Radicands, Ring};
+use num_rational::BigRational;
+
+use crate::exact::{Monomial, Polynomial, Radicands, Ring};
 
 pub use error::{StatementError, StatementFault};
 pub use source::Place;
@@ -50,6 +52,15 @@ pub struct Patch {
     pub surface: Polynomial,
     /// m + 1 rows of n + 1 points: `net[i][j]` belongs to Bᵢᵐ(u)·Bⱼⁿ(v).
     pub net: Vec<Vec<HomogeneousPoint>>,
+}
+
+impl Patch {
+    /// Whether the surface is the unit sphere, X² + Y² + Z² − W² = 0.
+    pub fn is_on_unit_sphere(&self) -> bool {
+        let signs = (0u16..).zip([1, 1, 1, -1]);
+        let squares = signs.map(|(k, sign)| (Monomial::square(k), BigRational::from_integer(sign.into())));
+        self.surface == Polynomial::from_terms(squares)
+    }
 }
 
 impl Statement {

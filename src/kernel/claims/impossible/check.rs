@@ -2,19 +2,19 @@
 
 use std::collections::HashMap;
 
-use super::equations::Equations;
-use super::error::{CheckError, Rejection};
-use super::theorem::{Claim, Theorem};
-use crate::certificate::{Premise, Step};
-use crate::exact::{Polynomial, Ring, Work, combination};
+use super::{Refuted, Rejection, Step};
+use crate::equations::{Equations, Premise};
+use crate::exact::{Polynomial, Work, combination};
+use crate::failure::{At, Failure, Place};
 use crate::statement::Statement;
 
-pub(super) fn replay(
+/// Replays the steps.
+pub(in crate::claims) fn verify(
     statement: &Statement,
-    equations: &Equations,
     steps: &[Step],
     work: &mut Work,
-) -> Result<Theorem, CheckError> {
+) -> Result<Refuted, Failure<Rejection>> {
+    let equations = Equations::of(statement, work).at(Place::Equations)?;
     // Where each polynomial first occurs: a premise is used by that name, so that it has only one.
     let mut first: HashMap<&Polynomial, Premise> = HashMap::new();
     for (name, polynomial) in equations.iter() {
@@ -27,13 +27,12 @@ pub(super) fn replay(
     for (number, step) in (1usize..).zip(steps) {
         let mut pairs = Vec::with_capacity(step.combination.len());
         for (premise, multiplier) in &step.combination {
-            pairs.push((multiplier, find(*premise, number, equations, steps, &first, &mut used)?));
+            pairs.push((multiplier, find(*premise, number, &equations, steps, &first, &mut used)?));
             multiplier_terms = multiplier_terms.saturating_add(multiplier.term_count());
         }
-        let limited = |limit| CheckError::Replay { step: number, limit };
-        let actual = combination(&pairs, statement.field(), work).map_err(limited)?;
+        let actual = combination(&pairs, statement.field(), work).at(Place::Step(number))?;
         if actual != step.conclusion {
-            let (expected, actual) = (shown(&ring, &step.conclusion), shown(&ring, &actual));
+            let (expected, actual) = (ring.excerpt(&step.conclusion), ring.excerpt(&actual));
             return Err(Rejection::WrongConclusion { step: number, expected, actual }.into());
         }
         if actual.is_zero() {
@@ -51,7 +50,7 @@ pub(super) fn replay(
         return Err(Rejection::NoSteps.into());
     };
     if !last.conclusion.is_one() {
-        let actual = shown(&ring, &last.conclusion);
+        let actual = ring.excerpt(&last.conclusion);
         return Err(Rejection::LastConclusion { step: steps.len(), actual }.into());
     }
     // The last step needs no user.
@@ -59,7 +58,7 @@ pub(super) fn replay(
     if let Some(position) = unused {
         return Err(Rejection::UnusedStep { step: position.saturating_add(1) }.into());
     }
-    Ok(Theorem::established(statement, Claim::Impossible { steps: steps.len(), multiplier_terms }))
+    Ok(Refuted { steps: steps.len(), multiplier_terms })
 }
 
 /// The polynomial that a premise of step `number` names.
@@ -70,7 +69,7 @@ fn find<'a>(
     steps: &'a [Step],
     first: &HashMap<&Polynomial, Premise>,
     used: &mut [bool],
-) -> Result<&'a Polynomial, CheckError> {
+) -> Result<&'a Polynomial, Rejection> {
     let missing = || Rejection::NoSuchPremise { step: number, premise };
     let polynomial = match premise {
         Premise::Step(step) => {
@@ -79,7 +78,7 @@ fn find<'a>(
                 usize::try_from(step).ok().and_then(|step| step.checked_sub(1)).ok_or_else(missing)?;
             let position = number.checked_sub(1).ok_or_else(missing)?;
             if index >= position {
-                return Err(missing().into());
+                return Err(missing());
             }
             *used.get_mut(index).ok_or_else(missing)? = true;
             &steps.get(index).ok_or_else(missing)?.conclusion
@@ -87,25 +86,12 @@ fn find<'a>(
         equation => equations.get(equation).ok_or_else(missing)?,
     };
     if polynomial.is_zero() {
-        return Err(Rejection::ZeroPremise { step: number, premise }.into());
+        return Err(Rejection::ZeroPremise { step: number, premise });
     }
     match first.get(polynomial) {
         Some(&earlier) if earlier != premise => {
-            Err(Rejection::SamePremise { step: number, premise, earlier }.into())
+            Err(Rejection::SamePremise { step: number, premise, earlier })
         }
         _ => Ok(polynomial),
-    }
-}
-
-/// A polynomial for a message: enough of it to see the difference, and never long to spell.
-pub(super) fn shown(ring: &Ring, polynomial: &Polynomial) -> String {
-    const SHOWN: usize = 400;
-    if polynomial.term_count() > 1000 || polynomial.bit_count() > 100_000 {
-        return format!("a polynomial of {} terms", polynomial.term_count());
-    }
-    let text = ring.spell(polynomial);
-    match text.get(..SHOWN) {
-        Some(start) => format!("{start}… ({} characters)", text.len()),
-        None => text,
     }
 }

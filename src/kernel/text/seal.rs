@@ -6,7 +6,7 @@
 use sha2::{Digest, Sha256};
 
 /// The line `end COUNT HASH` for the text before it.
-pub(super) fn seal(text: &str, count: usize) -> String {
+pub(crate) fn seal(text: &str, count: usize) -> String {
     let digest = Sha256::digest(text.as_bytes());
     let hash: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
     format!("end {count} {hash}")

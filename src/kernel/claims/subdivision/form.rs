@@ -12,27 +12,27 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work, limits, sign};
+use crate::exact::{Limit, Monomial, Polynomial, Radicands, Stop, Work, limits, sign};
 
 /// The ends of an interval in one variable, as coefficients of p and q: x = x\[0\]·p + x\[1\]·q, y likewise.
 #[derive(Debug, Clone)]
-pub(super) struct Interval {
-    pub(super) x: [BigInt; 2],
-    pub(super) y: [BigInt; 2],
+pub(in crate::claims) struct Interval {
+    pub(in crate::claims) x: [BigInt; 2],
+    pub(in crate::claims) y: [BigInt; 2],
 }
 
 impl Interval {
-    pub(super) fn new(x: [i32; 2], y: [i32; 2]) -> Self {
+    pub(in crate::claims) fn new(x: [i32; 2], y: [i32; 2]) -> Self {
         Interval { x: x.map(BigInt::from), y: y.map(BigInt::from) }
     }
 
     /// One point x/y as an interval: the form's first coefficient becomes its value there.
-    pub(super) fn point(x: BigInt, y: BigInt) -> Self {
+    pub(in crate::claims) fn point(x: BigInt, y: BigInt) -> Self {
         Interval { x: [x, BigInt::ZERO], y: [y, BigInt::ZERO] }
     }
 
     /// Both halves of an interval whose y has equal coefficients.
-    pub(super) fn halves(&self) -> [Interval; 2] {
+    pub(in crate::claims) fn halves(&self) -> [Interval; 2] {
         let (Interval { x: [a, b], y: [c, d] }, two) = (self, BigInt::from(2));
         let middle = (a + b, c + d);
         [
@@ -44,7 +44,7 @@ impl Interval {
 
 /// Σ c[a] Π xᵢ^aᵢ yᵢ^(Dᵢ−aᵢ), but for a positive factor: each c an element of K by its integral coordinates.
 #[derive(Debug, Clone)]
-pub(super) struct Form {
+pub(in crate::claims) struct Form {
     /// Dᵢ.
     degrees: Vec<usize>,
     /// By exponents, the last one fastest; each a list by mask.
@@ -53,18 +53,18 @@ pub(super) struct Form {
 
 impl Form {
     /// From terms rational·√(mask)·Πxᵢ^aᵢ.
-    pub(super) fn new(
+    pub(in crate::claims) fn new(
         field: &Radicands,
         degrees: Vec<usize>,
         terms: &[(Vec<usize>, u8, BigRational)],
         work: &mut Work,
-    ) -> Result<Self, Limit> {
+    ) -> Result<Self, Stop> {
         let mut denominator = BigInt::one();
         for (_, _, value) in terms {
             work.charge_gcd(&denominator, value.denom())?;
             denominator = denominator.lcm(value.denom());
             if denominator.bits() > limits::BITS {
-                return Err(Limit::digits());
+                return Err(Limit::digits().into());
             }
         }
         let size = degrees.iter().fold(1usize, |size, degree| size.saturating_mul(degree.saturating_add(1)));
@@ -86,7 +86,12 @@ impl Form {
     }
 
     /// The form in p and q of the pair `axis` on an interval.
-    pub(super) fn on(&self, axis: usize, interval: &Interval, work: &mut Work) -> Result<Self, Limit> {
+    pub(in crate::claims) fn on(
+        &self,
+        axis: usize,
+        interval: &Interval,
+        work: &mut Work,
+    ) -> Result<Self, Stop> {
         let degree = self.degrees.get(axis).copied().unwrap_or(0);
         let stride = self.degrees.iter().skip(axis.saturating_add(1));
         let stride = stride.fold(1usize, |size, degree| size.saturating_mul(degree.saturating_add(1)));
@@ -119,7 +124,15 @@ impl Form {
     }
 
     /// Whether all coefficients have an accepted sign.
-    pub(super) fn all(&self, signs: &Signs, accepted: &[Ordering], work: &mut Work) -> Result<bool, Limit> {
+    pub(in crate::claims) fn all(
+        &self,
+        signs: &Signs,
+        accepted: &[Ordering],
+        work: &mut Work,
+    ) -> Result<bool, Stop> {
+        if self.coefficients.is_empty() {
+            return Err(Stop::Defect("a form without coefficients"));
+        }
         for coefficient in &self.coefficients {
             if !accepted.contains(&signs.of(coefficient, work)?) {
                 return Ok(false);
@@ -129,8 +142,9 @@ impl Form {
     }
 
     /// The sign of the first coefficient.
-    pub(super) fn first(&self, signs: &Signs, work: &mut Work) -> Result<Ordering, Limit> {
-        self.coefficients.first().map_or(Ok(Ordering::Equal), |first| signs.of(first, work))
+    pub(in crate::claims) fn first(&self, signs: &Signs, work: &mut Work) -> Result<Ordering, Stop> {
+        let first = self.coefficients.first().ok_or(Stop::Defect("a form without coefficients"))?;
+        signs.of(first, work)
     }
 }
 
@@ -150,7 +164,7 @@ fn substitution(degree: usize, interval: &Interval) -> Vec<Vec<BigInt>> {
 }
 
 /// How signs of elements of K with integral coordinates are decided.
-pub(super) struct Signs {
+pub(in crate::claims) struct Signs {
     field: Radicands,
     /// ⌊√n·2ᵇ⌋ for each mask, for some b.
     roots: Vec<Vec<BigInt>>,
@@ -160,7 +174,7 @@ impl Signs {
     /// The bits b: nearly always the first suffice.
     const PRECISIONS: [u32; 3] = [128, 512, 2048];
 
-    pub(super) fn new(field: &Radicands) -> Self {
+    pub(in crate::claims) fn new(field: &Radicands) -> Self {
         let roots = |bits: u32| {
             let scale = (0..bits).fold(BigInt::one(), |scale, _| scale * BigInt::from(4));
             field.masks().map(|mask| (field.under_root(mask) * &scale).sqrt()).collect()
@@ -170,7 +184,7 @@ impl Signs {
 
     /// Σ c·√n·2ᵇ differs from Σ c·⌊√n·2ᵇ⌋ by less than Σ|c| over the irrational √n. Where that leaves the sign
     /// open, it is found exactly.
-    fn of(&self, coordinates: &[BigInt], work: &mut Work) -> Result<Ordering, Limit> {
+    fn of(&self, coordinates: &[BigInt], work: &mut Work) -> Result<Ordering, Stop> {
         let error = coordinates.iter().skip(1).fold(BigInt::ZERO, |sum, value| sum + value.abs());
         for roots in &self.roots {
             let mut sum = BigInt::ZERO;
@@ -186,7 +200,7 @@ impl Signs {
             .zip(coordinates)
             .map(|(mask, value)| (Monomial::radical(mask), BigRational::from_integer(value.clone())));
         let exact = sign(&Polynomial::from_terms(terms), &self.field, work)?;
-        Ok(exact.unwrap_or(Ordering::Equal))
+        exact.ok_or(Stop::Defect("a coefficient of a form that is not constant"))
     }
 }
 

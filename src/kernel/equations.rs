@@ -7,18 +7,42 @@
 //! polynomial, iff every `c[r,s]` is zero.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-use crate::certificate::Premise;
-use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work, combination};
+use crate::exact::{Monomial, Polynomial, Radicands, Stop, Work, combination};
 use crate::statement::{Patch, Statement, Subject};
 
 /// The parameters t and s, beyond any unknown a statement can have.
-pub(super) const T: u16 = u16::MAX - 1;
-pub(super) const S: u16 = u16::MAX;
+pub(crate) const T: u16 = u16::MAX - 1;
+pub(crate) const S: u16 = u16::MAX;
+
+/// What a step may use: an equation of the statement or an earlier step. The order is that of spelling.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Premise {
+    /// `c[r,s]`: the coefficient of uʳ(1−u)^(em−r)·vˢ(1−v)^(en−s) of the surface equation of degree e.
+    Coefficient(u32, u32),
+    /// `f[k]`: the k-th polynomial of a system, from 1.
+    Equation(u32),
+    /// `nonzero[k]`: the k-th assumption d, from 1, as the polynomial d·`t[k]` − 1 (Rabinowitsch).
+    Nonzero(u32),
+    /// The conclusion of an earlier step, from 1.
+    Step(u32),
+}
+
+impl fmt::Display for Premise {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Premise::Coefficient(r, s) => write!(f, "c[{r},{s}]"),
+            Premise::Equation(k) => write!(f, "f[{k}]"),
+            Premise::Nonzero(k) => write!(f, "nonzero[{k}]"),
+            Premise::Step(k) => write!(f, "step {k}"),
+        }
+    }
+}
 
 /// Every polynomial a certificate may use as a premise, by its name.
 #[derive(Debug, Clone)]
@@ -28,7 +52,7 @@ pub struct Equations {
 
 impl Equations {
     /// Derives the equations.
-    pub fn of(statement: &Statement, work: &mut Work) -> Result<Self, Limit> {
+    pub fn of(statement: &Statement, work: &mut Work) -> Result<Self, Stop> {
         let mut by_name = match statement.subject() {
             Subject::Patch(patch) => coefficients(statement, patch, work)?,
             Subject::System(polynomials) => {
@@ -58,25 +82,26 @@ fn rabinowitsch(
     number: u32,
     assumed: &Polynomial,
     work: &mut Work,
-) -> Result<Polynomial, Limit> {
+) -> Result<Polynomial, Stop> {
     // t[1] is the variable after the last unknown.
     let index = u32::try_from(statement.unknowns().len()).ok().and_then(|count| count.checked_add(number));
-    let index = index.and_then(|index| u16::try_from(index.checked_sub(1)?).ok()).unwrap_or(T);
+    let index = index.and_then(|index| u16::try_from(index.checked_sub(1)?).ok());
+    let index = index.ok_or(Stop::Defect("a Rabinowitsch variable beyond all variables"))?;
     let product = assumed.multiply(&Polynomial::variable(index), statement.field(), work)?;
-    Polynomial::sum(&[product, Polynomial::integer(-1)], statement.field(), work)
+    Ok(Polynomial::sum(&[product, Polynomial::integer(-1)], statement.field(), work)?)
 }
 
 /// F(X̂, Ŷ, Ẑ, Ŵ) and its arguments, polynomials in t, s and the unknowns.
-pub(super) struct Expanded {
-    pub(super) surface: Polynomial,
+pub(crate) struct Expanded {
+    pub(crate) surface: Polynomial,
     /// X̂, Ŷ, Ẑ.
-    pub(super) position: Vec<Polynomial>,
+    pub(crate) position: Vec<Polynomial>,
     /// Ŵ.
-    pub(super) weight: Polynomial,
+    pub(crate) weight: Polynomial,
 }
 
 /// Substitutes the net into the surface.
-pub(super) fn expand(field: &Radicands, patch: &Patch, work: &mut Work) -> Result<Expanded, Limit> {
+pub(crate) fn expand(field: &Radicands, patch: &Patch, work: &mut Work) -> Result<Expanded, Stop> {
     let (m, n) = patch.bidegree;
     let mut basis = Vec::new();
     for (i, j) in indices(m, n) {
@@ -98,7 +123,7 @@ fn coefficients(
     statement: &Statement,
     patch: &Patch,
     work: &mut Work,
-) -> Result<BTreeMap<Premise, Polynomial>, Limit> {
+) -> Result<BTreeMap<Premise, Polynomial>, Stop> {
     let (m, n) = patch.bidegree;
     let expanded = expand(statement.field(), patch, work)?.surface;
 
@@ -120,9 +145,9 @@ fn indices(m: u32, n: u32) -> impl Iterator<Item = (u32, u32)> {
 }
 
 /// tⁱ sʲ.
-fn parameters(i: u32, j: u32) -> Result<Monomial, Limit> {
+fn parameters(i: u32, j: u32) -> Result<Monomial, Stop> {
     let powers = [(T, i), (S, j)].into_iter().filter(|&(_, exponent)| exponent > 0).collect();
-    Monomial::new(0, powers).unwrap_or_else(|| Ok(Monomial::one()))
+    Ok(Monomial::new(0, powers).ok_or(Stop::Defect("parameters out of order"))??)
 }
 
 /// The binomial coefficient C(n, k), by Pascal's product: each partial product is a binomial coefficient.

@@ -2,72 +2,59 @@
 
 use std::cmp::Ordering;
 
-use super::equations::Equations;
-use super::error::Rejection;
-use super::replay::shown;
-use super::theorem::{Claim, Theorem};
-use crate::certificate::Premise;
+use super::{ExactNet, Rejection, Solution};
+use crate::equations::{Equations, Premise};
 use crate::exact::{Limit, Polynomial, Work, sign};
+use crate::failure::{At, Failure, Place};
 use crate::statement::{HomogeneousPoint, Patch, Statement, Subject};
 
-/// Why the values were not accepted.
-pub(super) enum Failure {
-    Rejected(Rejection),
-    Limit(Limit),
+/// What values establish.
+pub(in crate::claims) enum Zero {
+    OfPatch(ExactNet),
+    OfSystem(Solution),
 }
 
-impl From<Limit> for Failure {
-    fn from(limit: Limit) -> Self {
-        Failure::Limit(limit)
-    }
-}
-
-impl From<Rejection> for Failure {
-    fn from(rejection: Rejection) -> Self {
-        Failure::Rejected(rejection)
-    }
-}
-
-pub(super) fn verify(
+/// Tries the values.
+pub(in crate::claims) fn verify(
     statement: &Statement,
-    equations: &Equations,
     values: &[Polynomial],
     work: &mut Work,
-) -> Result<Theorem, Failure> {
+) -> Result<Zero, Failure<Rejection>> {
+    let equations = Equations::of(statement, work).at(Place::Equations)?;
+    let at = Place::Values;
     for (number, assumed) in (1u32..).zip(statement.nonzero()) {
-        if assumed.substitute(values, statement.field(), work)?.is_zero() {
+        if assumed.substitute(values, statement.field(), work).at(at)?.is_zero() {
             return Err(Rejection::AssumptionVanishes { assumption: Premise::Nonzero(number) }.into());
         }
     }
     let equalities = equations.iter().filter(|(name, _)| !matches!(name, Premise::Nonzero(_)));
     for (name, equation) in equalities {
-        let value = equation.substitute(values, statement.field(), work)?;
+        let value = equation.substitute(values, statement.field(), work).at(at)?;
         if !value.is_zero() {
-            let actual = shown(&statement.ring(), &value);
+            let actual = statement.ring().excerpt(&value);
             return Err(Rejection::NotAZero { equation: name, actual }.into());
         }
     }
     let values = values.to_vec();
-    let claim = match statement.subject() {
-        Subject::System(_) => Claim::Solution { values },
+    match statement.subject() {
+        Subject::System(_) => Ok(Zero::OfSystem(Solution { values })),
         Subject::Patch(patch) => {
-            let net = evaluated(patch, &values, statement, work)?;
+            let net = evaluated(patch, &values, statement, work).at(at)?;
             let weights: Vec<&Polynomial> = net.iter().flatten().map(|[.., weight]| weight).collect();
             if weights.iter().all(|weight| weight.is_zero()) {
                 return Err(Rejection::NoDenominator.into());
             }
             let mut weights_positive = true;
             for weight in weights {
-                weights_positive &= sign(weight, statement.field(), work)? == Some(Ordering::Greater);
+                weights_positive &= sign(weight, statement.field(), work).at(at)? == Some(Ordering::Greater);
             }
-            Claim::Exact { values, net, weights_positive }
+            Ok(Zero::OfPatch(ExactNet { values, net, weights_positive }))
         }
-    };
-    Ok(Theorem::established(statement, claim))
+    }
 }
 
 /// The net at the values of the unknowns.
-pub(super) fn evaluated(
+pub(in crate::claims) fn evaluated(
     patch: &Patch,
     values: &[Polynomial],
     statement: &Statement,

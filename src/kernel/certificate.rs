@@ -1,0 +1,74 @@
+//! How a claim is argued: the file that a checker is given beside the statement.
+//!
+//! A certificate never carries its axioms: its premises are *names* of polynomials that the checker derives
+//! from the statement. Text form, grammar and limits: `proofs/FORMAT.md`. There is one spelling of each
+//! certificate, and the reader accepts no other.
+
+pub use crate::claims::{
+    Argument, Bounds, Cover, EDGES, EdgeTree, End, Odds, Quantity, Region, Side, Step, Tree, Units,
+    Unreachable, decimal_value, spell_decimal,
+};
+pub use crate::equations::Premise;
+pub use crate::text::{CertificateError, CertificateFault};
+
+use crate::claims::EXPECTED;
+use crate::exact::{Ring, Work};
+use crate::text::{Reader, check_text};
+
+/// An argument for a claim about the statement with a certain hash.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Certificate {
+    /// SHA-256 of the canonical statement, in lower-case hexadecimal.
+    pub statement: String,
+    /// The argument.
+    pub argument: Argument,
+}
+
+impl Certificate {
+    /// The text, spelled with the names of the statement's ring.
+    pub fn write(&self, ring: &Ring) -> String {
+        let first =
+            vec!["prove-cap certificate 1".to_owned(), format!("statement sha256 {}", self.statement)];
+        self.argument.write(ring, first)
+    }
+
+    /// Reads a certificate, spelled with the names of `ring`.
+    ///
+    /// `unknowns` is how many of the ring's variables are unknowns of the statement (the others are
+    /// Rabinowitsch variables): a claim `exact` gives a value to each of them.
+    ///
+    /// # Errors
+    /// [`CertificateError`] with line and column.
+    pub fn read(
+        bytes: &[u8],
+        ring: &Ring,
+        unknowns: usize,
+        work: &mut Work,
+    ) -> Result<Certificate, CertificateError> {
+        let text = check_text(bytes)?;
+        let mut reader = Reader::new(text, ring, unknowns, work);
+        let header = "`prove-cap certificate 1`";
+        let line = reader.next(header)?;
+        if line != "prove-cap certificate 1" {
+            return Err(reader.unexpected(line, header));
+        }
+        let expected = "`statement sha256 ` and 64 lower-case hexadecimal digits";
+        let line = reader.next(expected)?;
+        let hash = line.strip_prefix("statement sha256 ").filter(|hash| is_hash(hash));
+        let statement = hash.ok_or_else(|| reader.unexpected(line, expected))?.to_owned();
+        let line = reader.next(EXPECTED)?;
+        let argument = line.strip_prefix("claim ").and_then(|keyword| Argument::read(keyword, &mut reader));
+        let argument = argument.ok_or_else(|| reader.unexpected(line, EXPECTED))??;
+        reader.finish()?;
+        let certificate = Certificate { statement, argument };
+        // Belt and braces: the grammar above is meant to leave no second spelling.
+        if certificate.write(ring) != text {
+            return Err(reader.fail(1, CertificateFault::NotCanonical));
+        }
+        Ok(certificate)
+    }
+}
+
+fn is_hash(text: &str) -> bool {
+    text.len() == 64 && text.bytes().all(|byte| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte))
+}

@@ -1,0 +1,62 @@
+//! The text of claim `bounds`: FORMAT.md, "Certificates by subdivision".
+
+use num_traits::Signed;
+
+use super::{Bounds, End};
+use crate::claims::exact::value_lines;
+use crate::claims::subdivision::{leaves, quantity, sealed, spell_decimal, spelled};
+use crate::exact::Ring;
+use crate::text::{CertificateError, CertificateFault as Fault, Reader};
+
+/// The lines after the claim.
+pub(in crate::claims) fn write(bounds: &Bounds, ring: &Ring, lines: Vec<String>) -> String {
+    let mut lines = lines;
+    lines.extend(value_lines(&bounds.values, ring));
+    lines.push(quantity(bounds.quantity, bounds.places));
+    lines.push(format!("denominator {}", spelled(&bounds.denominator)));
+    for (name, End { bound, at: [u, v], tree }) in [("lower", &bounds.lower), ("upper", &bounds.upper)] {
+        let bound = spell_decimal(bound, bounds.places);
+        lines.push(format!("{name} {bound} at {u} {v} over {}", spelled(tree)));
+    }
+    sealed(lines, boxes(bounds))
+}
+
+/// Reads them.
+pub(in crate::claims) fn read(reader: &mut Reader<'_, '_>) -> Result<Bounds, CertificateError> {
+    let values = reader.values()?;
+    let (quantity, places) = reader.quantity()?;
+    let denominator = reader.named_tree("denominator ", "`denominator ` and a tree of `h` and `.`")?;
+    let lower = end(reader, "lower ", places)?;
+    let upper = end(reader, "upper ", places)?;
+    let bounds = Bounds { values, quantity, places, denominator, lower, upper };
+    reader.sealed(boxes(&bounds))?;
+    Ok(bounds)
+}
+
+/// The boxes of all trees.
+fn boxes(bounds: &Bounds) -> usize {
+    let trees = [&bounds.denominator, &bounds.lower.tree, &bounds.upper.tree];
+    trees.into_iter().fold(0, |sum, tree| leaves(tree).saturating_add(sum))
+}
+
+/// `lower 0.9 at 1/2 1/2 over h..`.
+fn end(reader: &mut Reader<'_, '_>, name: &'static str, places: u32) -> Result<End, CertificateError> {
+    let expected = match name {
+        "lower " => "`lower DECIMAL at U V over TREE`",
+        _ => "`upper DECIMAL at U V over TREE`",
+    };
+    let line = reader.next(expected)?;
+    let parts = line.strip_prefix(name).and_then(|rest| {
+        let (decimal, rest) = rest.split_once(" at ")?;
+        let (point, tree) = rest.split_once(" over ")?;
+        let (u, v) = point.split_once(' ')?;
+        Some((decimal, u, v, tree))
+    });
+    let (decimal, u, v, tree) = parts.ok_or_else(|| reader.unexpected(line, expected))?;
+    let bound = reader.decimal(decimal, places)?;
+    let at = [reader.rational(line, u)?, reader.rational(line, v)?];
+    if at.iter().any(|x| x.is_negative() || x.numer() > x.denom()) {
+        return Err(reader.fail(1, Fault::OutsideSquare));
+    }
+    Ok(End { bound, at, tree: reader.tree(line, tree)? })
+}

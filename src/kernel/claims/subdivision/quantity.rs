@@ -1,0 +1,72 @@
+//! What is bounded, and decimals.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::Rejection;
+
+/// What is bounded, along a patch with denominator W > 0 on a surface F = 0 of degree e.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// r = √(x² + y² + z²), for the unit sphere only, where F/W² = r² − 1.
+    Radius,
+    /// F/Wᵉ.
+    Ratio,
+}
+
+impl Quantity {
+    /// As sentences name it.
+    pub(in crate::claims) fn name(self) -> &'static str {
+        match self {
+            Quantity::Radius => "√(x² + y² + z²)",
+            Quantity::Ratio => "F/W^e",
+        }
+    }
+}
+
+/// A decimal with a fixed number of places, as an integer of units of the last one.
+pub type Units = BigInt;
+
+/// A bound as a rational number.
+pub fn decimal_value(units: &Units, places: u32) -> BigRational {
+    BigRational::new(units.clone(), power_of_ten(places))
+}
+
+/// A decimal as it is spelled: a sign, digits, and a point with all places after it (none for no places).
+pub fn spell_decimal(units: &Units, places: u32) -> String {
+    let width = usize::try_from(places).unwrap_or(usize::MAX);
+    let digits = units.magnitude().to_string();
+    let sign = if *units < BigInt::zero() { "-" } else { "" };
+    let missing = width.saturating_add(1).saturating_sub(digits.len());
+    let padded: String = std::iter::repeat_n('0', missing).chain(digits.chars()).collect();
+    match padded.split_at_checked(padded.len().saturating_sub(width)) {
+        Some((whole, decimals)) if width > 0 => format!("{sign}{whole}.{decimals}"),
+        _ => format!("{sign}{padded}"),
+    }
+}
+
+/// 10ⁿ.
+fn power_of_ten(places: u32) -> BigInt {
+    (0..places).fold(BigInt::one(), |power, _| power * BigInt::from(10))
+}
+
+/// The bound on F/Wᵉ that a stated bound means.
+pub(in crate::claims) fn threshold(
+    quantity: Quantity,
+    bound: &Units,
+    places: u32,
+) -> Result<BigRational, Rejection> {
+    match quantity == Quantity::Radius && bound.is_negative() {
+        true => Err(Rejection::NegativeRadius),
+        false => Ok(on_ratio(quantity, &decimal_value(bound, places))),
+    }
+}
+
+/// r² − 1 for a radius r.
+pub(in crate::claims) fn on_ratio(quantity: Quantity, value: &BigRational) -> BigRational {
+    match quantity {
+        Quantity::Radius => value * value - BigRational::one(),
+        Quantity::Ratio => value.clone(),
+    }
+}
