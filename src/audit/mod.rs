@@ -39,6 +39,8 @@ pub struct Audit {
     pub unlisted: Vec<Target>,
     /// One for each claim.
     pub claims: Vec<ClaimVerdict>,
+    /// How many coefficients or equations the statement has, those that are zero among them.
+    pub equations: usize,
 }
 
 /// Why there is no audit.
@@ -83,6 +85,15 @@ impl Audit {
         crate::checker::Equations::of(statement, &mut Work::full()).map_err(AuditError::TooLarge)?;
         control.check()?;
         let targets = Targets::of(statement, &listing.labels, listing.basis)?;
+        // Nothing is all there is to list of a patch on its surface, and of no other.
+        if listing.formulas.is_empty() && listing.claims.is_empty() && !targets.vanish() {
+            let start = 0..listing.text.len().min(1);
+            return Err(ListingError {
+                place: Place::of(&listing.text, start),
+                fault: ListingFault::NoFormula,
+            }
+            .into());
+        }
         let scope = scope(listing, statement)?;
         let mut named: Vec<(Symbol, Target)> = Vec::new();
         let mut printed = Vec::new();
@@ -127,7 +138,7 @@ impl Audit {
             control.check()?;
             judged.push(claims::judge(claim, &case, control)?);
         }
-        Ok(Audit { findings, unlisted, claims: judged })
+        Ok(Audit { findings, unlisted, claims: judged, equations: targets.count() })
     }
 }
 

@@ -119,6 +119,16 @@ impl Targets {
         }
     }
 
+    /// How many equations there are: coefficients of the condition, or polynomials of a system.
+    pub fn count(&self) -> usize {
+        self.bernstein.len() + self.equations.len()
+    }
+
+    /// Whether all of them are zero.
+    pub fn vanish(&self) -> bool {
+        self.bernstein.iter().all(|c| c.value.is_zero()) && self.equations.iter().all(Polynomial::is_zero)
+    }
+
     /// What labels may be, for a message.
     pub fn expected(&self) -> String {
         if !self.equations.is_empty() {

@@ -8,11 +8,13 @@ use super::arguments::{Format, to_json};
 use super::check::read_limited;
 use super::control::{Limits, under_control};
 use super::outcome::{Failure, Outcome, Status};
-use super::source::Source;
+use super::source::{JSON_BYTES, Source};
 use crate::audit::net::{Convention, NetAudit, PrintedNet, from_json, from_matlab};
 use crate::audit::{Audit, AuditError, PAPER};
-use crate::listing::{LISTING_BYTES, Listing, Notation, decode, is_net};
+use crate::exact::Ring;
+use crate::listing::{LISTING_BYTES, Listing, Notation, decode, in_statement_language, is_expansion, is_net};
 use crate::report::{audit_data, describe_audit, describe_net, latex, net_data};
+use crate::statement::COORDINATES;
 
 #[derive(Debug, Args)]
 pub(super) struct AuditOptions {
@@ -67,17 +69,20 @@ enum ConventionName {
 
 /// What was read.
 enum Printed {
-    Listing(Box<Listing>),
+    /// With the statement that is in the same file, if so.
+    Listing(Box<Listing>, Option<Box<Source>>),
     Net(PrintedNet),
 }
 
 pub(super) fn run(options: &AuditOptions, format: Format) -> Result<Outcome, Failure> {
     let printed = match &options.file {
-        None => Printed::Listing(Box::new(Listing::from_toml(PAPER).map_err(Failure::of)?)),
+        None => Printed::Listing(Box::new(Listing::from_toml(PAPER).map_err(Failure::of)?), None),
         Some(file) => read(file, options)?,
     };
     match printed {
-        Printed::Listing(listing) => audit_listing(*listing, options, format),
+        Printed::Listing(listing, source) => {
+            audit_listing(*listing, source.map(|source| *source), options, format)
+        }
         Printed::Net(net) => audit_net(net, options, format),
     }
 }
@@ -102,7 +107,12 @@ fn failure(options: &AuditOptions, error: &AuditError) -> Failure {
     Failure(format!("{}:{space}{error}", place(options)))
 }
 
-fn audit_listing(mut listing: Listing, options: &AuditOptions, format: Format) -> Result<Outcome, Failure> {
+fn audit_listing(
+    mut listing: Listing,
+    own: Option<Source>,
+    options: &AuditOptions,
+    format: Format,
+) -> Result<Outcome, Failure> {
     if options.convention.is_some() || options.surface.is_some() {
         return Err(Failure(
             "--convention and --surface are for nets; this is a listing of formulas".to_owned(),
@@ -120,13 +130,16 @@ fn audit_listing(mut listing: Listing, options: &AuditOptions, format: Format) -
         let beside = options.file.as_deref().and_then(Path::parent).map(|folder| folder.join(name));
         Some(beside.filter(|path| path.is_file()).unwrap_or_else(|| PathBuf::from(name)))
     });
-    let Some(named) = named else {
-        return Err(Failure(
-            "what is the listing to be held against? name a statement with --statement (see `list`)"
-                .to_owned(),
-        ));
+    let source = match (named, own) {
+        (Some(named), _) => Source::find(&named)?,
+        (None, Some(own)) => own,
+        (None, None) => {
+            return Err(Failure(
+                "what is the listing to be held against? name a statement with --statement (see `list`)"
+                    .to_owned(),
+            ));
+        }
     };
-    let source = Source::find(&named)?;
     let audit = under_control(&options.limits, |control| Audit::of(&listing, &source.statement, control))?;
     let audit = match audit {
         Ok(audit) => audit,
@@ -147,7 +160,9 @@ fn audit_net(mut net: PrintedNet, options: &AuditOptions, format: Format) -> Res
         ));
     }
     if let Some(surface) = &options.surface {
-        net.surface.clone_from(surface);
+        let ring = Ring { field: net.field.clone(), variables: COORDINATES.map(String::from).to_vec() };
+        let surface = in_statement_language(surface, &ring);
+        net.surface = surface.map_err(|error| Failure(format!("--surface: {}", error.fault)))?.into_owned();
     }
     let audit = match under_control(&options.limits, |control| NetAudit::of(&net, control))? {
         Ok(audit) => audit,
@@ -189,15 +204,21 @@ fn read(file: &Path, options: &AuditOptions) -> Result<Printed, Failure> {
             file.display()
         )));
     };
-    let bytes = read_limited(file, LISTING_BYTES)?;
     let in_file = |error: &dyn std::fmt::Display| Failure(format!("{}:{error}", file.display()));
-    let text = decode(&bytes).map_err(|error| in_file(&error))?;
+    let at_most = if kind == FileKind::Json { JSON_BYTES } else { LISTING_BYTES };
+    let bytes = read_limited(file, at_most)?;
+    let text = decode(&bytes, at_most).map_err(|error| in_file(&error))?;
     let title = file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let listing = match kind {
         FileKind::Latex => Listing::from_formulas(&title, text, Notation::Latex),
         FileKind::Plain => Listing::from_formulas(&title, text, Notation::Plain),
         FileKind::Toml if is_net(text) => return net_of(&Source::find(file)?, options, stated),
         FileKind::Toml => Listing::from_toml(text),
+        FileKind::Json if is_expansion(text) => {
+            let listing = Listing::from_json(text).map_err(|error| in_file(&error))?;
+            let own = Source::from_json(file, text)?;
+            return Ok(Printed::Listing(Box::new(listing), Some(Box::new(own))));
+        }
         FileKind::Json => {
             let net = from_json(text).map_err(|error| failure(options, &error))?;
             let convention = stated.unwrap_or(net.convention);
@@ -215,7 +236,7 @@ fn read(file: &Path, options: &AuditOptions) -> Result<Printed, Failure> {
             return Ok(Printed::Net(net));
         }
     };
-    listing.map(|listing| Printed::Listing(Box::new(listing))).map_err(|error| in_file(&error))
+    listing.map(|listing| Printed::Listing(Box::new(listing), None)).map_err(|error| in_file(&error))
 }
 
 /// The net of a statement; it says itself which convention it follows.

@@ -4,9 +4,9 @@ use clap::Args;
 
 use super::outcome::Failure;
 use crate::algebra::{FieldElement, MultiquadraticField, polynomial_from_exact};
-use crate::exact::{Radicands, Work};
+use crate::exact::Radicands;
 use crate::geometry::{NamedPolygon, POLYGONS, Polygon, Vector};
-use crate::statement::Statement;
+use crate::listing::read_constant;
 
 /// Names of tilings whose corners lie in no field this program has, and why.
 const FIVEFOLD: [&str; 2] = ["rhombic-triacontahedron", "deltoidal-hexecontahedron"];
@@ -65,7 +65,7 @@ fn read(text: &str, radicands: &[u32]) -> Result<Polygon, Failure> {
     let field = MultiquadraticField::new(&radicands);
     let mut corners: Vec<Vector> = Vec::new();
     for (number, point) in (1..).zip(text.split(';')) {
-        let entries: Vec<&str> = point.split(',').collect();
+        let entries: Vec<&str> = bare(point.trim()).split(',').collect();
         let [x, y, z] = entries[..] else {
             return Err(Failure(format!(
                 "--corners: corner {number} has {} coordinates, expected x,y,z",
@@ -84,15 +84,25 @@ fn read(text: &str, radicands: &[u32]) -> Result<Polygon, Failure> {
     Polygon::new(corners).map_err(|error| Failure(format!("--corners: {error}")))
 }
 
+/// A corner without the brackets it is printed in, `(x, y, z)`.
+fn bare(point: &str) -> &str {
+    let Some(inside) = point.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) else { return point };
+    // In (x+1)/2, y, (z) the first bracket is closed before the end.
+    let depths = inside.chars().scan(0i32, |depth, c| {
+        *depth += i32::from(c == '(') - i32::from(c == ')');
+        Some(*depth)
+    });
+    if depths.min().is_some_and(|least| least < 0) { point } else { inside }
+}
+
 /// An exact number of the field.
 pub(super) fn number_of(
     text: &str,
     field: MultiquadraticField,
     trusted: &Radicands,
 ) -> Result<FieldElement, Failure> {
-    let read = Statement::read_constant(text, trusted, &mut Work::full());
     // The place is that of one line, which is shown.
-    let read = read.map_err(|error| {
+    let read = read_constant(text, trusted).map_err(|error| {
         let message = error.to_string();
         let place = |c: char| c.is_ascii_digit() || c == ':' || c == ' ';
         Failure(message.trim_start_matches(place).to_owned())

@@ -4,9 +4,13 @@ use std::path::{Path, PathBuf};
 
 use super::check::read_limited;
 use super::outcome::Failure;
+use crate::audit::net::statement_from_json;
 use crate::catalogue;
-use crate::exact::{Work, limits};
+use crate::exact::Work;
 use crate::statement::Statement;
+
+/// Bytes of a file that may be JSON: what is written for a statement may have its proof beside it.
+pub(super) const JSON_BYTES: u64 = 16 << 20;
 
 /// A statement with where it came from.
 pub(super) struct Source {
@@ -44,7 +48,10 @@ impl Source {
                 catalogue::FAMILY
             )));
         }
-        let bytes = read_limited(name_or_file, limits::STATEMENT_BYTES)?;
+        let bytes = read_limited(name_or_file, JSON_BYTES)?;
+        if let Some(json) = as_json(&bytes) {
+            return Source::from_json(name_or_file, json);
+        }
         let statement = Statement::read_bytes(&bytes, &mut Work::full())
             .map_err(|error| Failure(format!("{}:{error}", name_or_file.display())))?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
@@ -52,10 +59,25 @@ impl Source {
         Ok(Source { name, text, statement, cap: false })
     }
 
+    /// The net of a JSON document, or the statement it is about.
+    pub(super) fn from_json(file: &Path, json: &str) -> Result<Source, Failure> {
+        let text =
+            statement_from_json(json).map_err(|error| Failure(format!("{}: {error}", file.display())))?;
+        let statement = Statement::read_bytes(text.as_bytes(), &mut Work::full())
+            .map_err(|error| Failure(format!("{}: {}", file.display(), error.fault)))?;
+        Ok(Source { name: name_of(file), text, statement, cap: false })
+    }
+
     /// Where the proof goes unless the user says otherwise.
     pub(super) fn default_directory(&self) -> PathBuf {
         Path::new("proofs").join(&self.name)
     }
+}
+
+/// The text of a file that is JSON and no TOML: its first character tells.
+fn as_json(bytes: &[u8]) -> Option<&str> {
+    let text = std::str::from_utf8(bytes).ok()?;
+    text.trim_start_matches('\u{feff}').trim_start().starts_with('{').then_some(text)
 }
 
 /// The file's name without its ending; for `NAME/statement.toml`, as this program writes it, the folder's.

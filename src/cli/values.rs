@@ -1,7 +1,8 @@
 //! Values of unknowns, tolerances, intervals and points on the command line.
 
 use super::outcome::Failure;
-use crate::exact::{Polynomial, Work};
+use crate::exact::Polynomial;
+use crate::listing::read_constant;
 use crate::statement::Statement;
 
 /// The decimal places that the checker's limits allow within reason.
@@ -25,11 +26,10 @@ pub(super) fn values(statement: &Statement, set: &[String]) -> Result<Vec<Polyno
         if values[place].is_some() {
             return Err(Failure(format!("--set {text}: `{}` is set twice", name.trim())));
         }
-        let read = Statement::read_constant(value, statement.field(), &mut Work::full());
-        let read = read.map_err(|error| {
+        let read = read_constant(value, statement.field()).map_err(|error| {
             Failure(format!(
                 "--set {text}: {}\nexpected an exact number of {}: a decimal, 1/2, or an expression like 4*sqrt(3)/3",
-                error.fault,
+                error.fault(),
                 statement.field()
             ))
         })?;
@@ -62,9 +62,12 @@ pub(super) fn tolerance(text: &str) -> Result<u32, String> {
     }
 }
 
-/// An interval of two printed decimals, `0.9,1.1`, as they are printed.
+/// An interval of two printed decimals, `0.9,1.1`, as they are printed; with a true minus, and in brackets, too.
 pub(super) fn interval(text: &str) -> Result<[String; 2], String> {
     let expected = || "expected two decimals, LOW,HIGH, as in 0.99,1.01".to_owned();
+    let text = text.trim().replace('−', "-");
+    let inside = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    let text = inside.unwrap_or(&text);
     let (low, high) = text.split_once(',').ok_or_else(expected)?;
     let is_decimal = |text: &str| {
         let digits = text.strip_prefix('-').unwrap_or(text);

@@ -63,13 +63,13 @@ pub enum ListingFault {
     UnknownLabel { label: String, expected: String },
     /// The same coefficient twice.
     RepeatedLabel { label: String, line: usize },
-    /// A square root outside the field.
-    Root { field: String },
+    /// A square root outside the field; the field, and why.
+    Root { outside: String },
     /// A division by zero.
     DivisionByZero,
     /// A division by something that contains an unknown.
     DivisionByUnknown,
-    /// There is no formula at all.
+    /// There is no formula at all, and no claim, of a statement whose coefficients are not all zero.
     NoFormula,
     /// Not a listing file: what TOML says, or which key is wrong.
     File { message: String },
@@ -145,7 +145,7 @@ impl fmt::Display for ListingFault {
             Fault::RepeatedLabel { label, line } => {
                 write!(f, "`{label}` is listed twice, the first time in line {line}")
             }
-            Fault::Root { field } => write!(f, "this square root is not in {field}"),
+            Fault::Root { outside } => write!(f, "this square root is not in {outside}"),
             Fault::DivisionByZero => write!(f, "division by zero"),
             Fault::DivisionByUnknown => write!(f, "division by an expression with unknowns"),
             Fault::NoFormula => write!(f, "no formula here, expected `label = expression`"),

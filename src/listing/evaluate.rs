@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::error::{ListingFault, Located};
 use super::expression::{Expression, Kind, Operator};
 use super::token::Symbol;
-use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work};
+use crate::exact::{Limit, Polynomial, Radicands, Work};
 
 /// What names stand for.
 #[derive(Debug, Clone)]
@@ -87,12 +87,8 @@ pub(crate) fn evaluate(
         }
         Kind::Root(inside) => {
             let value = evaluate(inside, scope, work)?;
-            let root = match value.as_rational() {
-                Some(rational) => scope.field.square_root(&rational, work).map_err(here)?,
-                None => None,
-            };
-            let root = root.map(|(factor, mask)| Polynomial::term(factor, Monomial::radical(mask)));
-            root.ok_or_else(|| fault(ListingFault::Root { field: scope.field.to_string() }))
+            let root = value.square_root(&scope.field, work).map_err(here)?;
+            root.map_err(|why| fault(ListingFault::Root { outside: format!("{}{why}", scope.field) }))
         }
     }
 }

@@ -68,7 +68,7 @@ impl Listing {
             text: text.to_owned(),
             statement: None,
             basis: Basis::Monomial,
-            formulas: notation.read(text)?,
+            formulas: notation.read_any(text).map_err(|located| ListingError::at(text, located))?,
             names: Vec::new(),
             labels: Vec::new(),
             claims: Vec::new(),
@@ -102,7 +102,11 @@ impl Listing {
                 return Err(file_fault(message, value.span()));
             }
         };
-        let formulas = table.formulas(table.required("formulas", "the formulas between '''")?, notation)?;
+        // What makes claims need not list anything.
+        let formulas = match (table.get("formulas"), table.get("claim")) {
+            (None, Some(_)) => Vec::new(),
+            _ => table.formulas(table.required("formulas", "the formulas between '''")?, notation)?,
+        };
         let mut names = Vec::new();
         if let Some(entries) = table.table("names")? {
             for (key, value) in entries.entries() {

@@ -5,12 +5,14 @@
 //! doubtful spellings are read or refused are in `LISTINGS.md`.
 
 mod claim;
+mod constant;
 mod display;
 mod error;
 mod evaluate;
 mod expression;
 mod file;
 mod grammar;
+mod json;
 mod latex;
 mod number;
 mod pieces;
@@ -19,11 +21,13 @@ mod table;
 mod token;
 
 pub use claim::{Claim, ClaimKind, Expectation};
+pub use constant::{ConstantError, in_statement_language, read_constant};
 pub use error::{ListingError, ListingFault};
 pub use evaluate::Scope;
 pub(crate) use evaluate::evaluate;
 pub use expression::{Expression, Formula, Kind, Operator, Signed};
 pub use file::{Listing, Meaning, Notation};
+pub use json::is_expansion;
 pub use table::{convention_word, is_net};
 pub use token::Symbol;
 
@@ -49,6 +53,14 @@ impl Notation {
             Notation::Plain => plain::tokens(text, 0..text.len())?,
         };
         grammar::formulas(text, &tokens)
+    }
+
+    /// The same for a file that may have none.
+    fn read_any(self, text: &str) -> Result<Vec<Formula>, error::Located> {
+        match self.read_located(text) {
+            Err((ListingFault::NoFormula, _)) => Ok(Vec::new()),
+            read => read,
+        }
     }
 }
 
@@ -86,13 +98,13 @@ impl Expression {
     }
 }
 
-/// Text as UTF-8, within the size of a listing.
+/// Text as UTF-8, within a size.
 ///
 /// # Errors
 /// [`ListingError`] where it is neither.
-pub fn decode(bytes: &[u8]) -> Result<&str, ListingError> {
-    if bytes.len() as u64 > LISTING_BYTES {
-        let limit = Limit::new("bytes in a listing", LISTING_BYTES);
+pub fn decode(bytes: &[u8], at_most: u64) -> Result<&str, ListingError> {
+    if bytes.len() as u64 > at_most {
+        let limit = Limit::new("bytes in a listing", at_most);
         return Err(ListingError::at("", (limit.into(), 0..0)));
     }
     std::str::from_utf8(bytes).map_err(|error| {

@@ -114,7 +114,7 @@ impl<'t, 'a> Table<'t, 'a> {
             part.bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }).collect()
         };
         let (before, after) = (&self.text[..span.start], &self.text[span.end..]);
-        notation.read_located(&format!("{}{}{}", blank(before), &self.text[span], blank(after)))
+        notation.read_any(&format!("{}{}{}", blank(before), &self.text[span], blank(after)))
     }
 
     /// An expression in plain notation.

@@ -38,6 +38,11 @@ pub(super) fn headline(audit: &Audit) -> String {
     let wrong: Vec<&str> = audit.findings.iter().filter(|f| !f.agrees()).map(|f| f.label.as_str()).collect();
     let all = audit.findings.len();
     let listed = match (wrong.len(), all) {
+        (_, 0) if audit.claims.is_empty() => match audit.equations {
+            1 => "no coefficient is listed, and the one there is is zero".to_owned(),
+            equations => format!("no coefficient is listed, and all {equations} are zero"),
+        },
+        (_, 0) => String::new(),
         (0, 1) => "the one printed coefficient is right".to_owned(),
         (0, _) => format!("all {all} printed coefficients are right"),
         (1, _) => format!("1 of {all} printed coefficients is wrong: {}", wrong[0]),
@@ -50,7 +55,8 @@ pub(super) fn headline(audit: &Audit) -> String {
         all => {
             let open = if open > 0 { format!(", {open} not checked") } else { String::new() };
             let verb = if failed == 1 { "fails" } else { "fail" };
-            format!("; {failed} of {all} claims {verb}{open}")
+            let before = if listed.is_empty() { "" } else { "; " };
+            format!("{before}{failed} of {all} claims {verb}{open}")
         }
     };
     format!("{}  {listed}{claims}", if audit.agrees() { "AGREES" } else { "DIFFERS" })

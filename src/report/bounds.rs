@@ -8,13 +8,13 @@ use num_traits::{One, Signed};
 use serde_json::{Value, json};
 
 use super::attempt::{Files, wrapped_at};
-use super::json::statement as statement_data;
+use super::json::{CONVENTION, statement as statement_data};
 use super::mathematics::Notation;
 use crate::approximation::{Barrier, Enclosure, EndVerdict, Finding};
 use crate::certificate::{Bounds, Quantity, decimal_value, spell_decimal};
 use crate::checker::Theorem;
-use crate::exact::Polynomial;
-use crate::statement::Statement;
+use crate::exact::{Limit, Polynomial, Work};
+use crate::statement::{HomogeneousPoint, Statement, Subject};
 
 /// `r` or `F/W²`.
 pub fn symbol(quantity: Quantity, degree: u32) -> String {
@@ -162,11 +162,15 @@ pub fn enclosure_data(
         .collect();
     let point = |at: &[BigRational; 2]| json!([at[0].to_string(), at[1].to_string()]);
     let count = |tree: &[bool]| tree.iter().filter(|halved| !**halved).count();
+    let net = evaluated(statement, &bounds.values).ok();
     json!({
         "verdict": verdict,
         "name": name,
         "statement": statement_data(statement),
         "values": values,
+        "convention": CONVENTION,
+        "net": net.as_ref().map(|net| super::json::net(statement, net)),
+        "decimals": net.and_then(|net| decimals(statement, &net).ok()),
         "quantity": match bounds.quantity { Quantity::Radius => "radius", Quantity::Ratio => "ratio" },
         "places": bounds.places,
         "lower": { "bound": spell_decimal(&bounds.lower.bound, bounds.places), "near": point(&bounds.lower.at) },
@@ -175,6 +179,31 @@ pub fn enclosure_data(
         "theorem": enclosure.theorem.sentence(),
         "certificate": files.certificate.display().to_string(),
     })
+}
+
+/// The net at these values of the unknowns.
+fn evaluated(statement: &Statement, values: &[Polynomial]) -> Result<Vec<Vec<HomogeneousPoint>>, Limit> {
+    let Subject::Patch(patch) = statement.subject() else { return Ok(Vec::new()) };
+    let mut work = Work::full();
+    let mut net = patch.net.clone();
+    for entry in net.iter_mut().flatten().flatten() {
+        *entry = entry.substitute(values, statement.field(), &mut work)?;
+    }
+    Ok(net)
+}
+
+/// The same in decimals that are cut off after 17 places.
+fn decimals(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Result<Value, Limit> {
+    const PLACES: u32 = 17;
+    let number = |entry: &Polynomial| {
+        crate::audit::decimal(entry, PLACES, statement.field()).map(|text| text.replace('−', "-"))
+    };
+    let mut rows = Vec::new();
+    for row in net {
+        let points = row.iter().map(|point| point.iter().map(number).collect::<Result<Vec<_>, _>>());
+        rows.push(points.collect::<Result<Vec<_>, _>>()?);
+    }
+    Ok(json!({ "places": PLACES, "convention": CONVENTION, "net": rows }))
 }
 
 /// The verdicts on a printed interval as data.

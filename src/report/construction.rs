@@ -8,11 +8,12 @@ use serde_json::{Value, json};
 use super::attempt::{Files, wrapped_at};
 use super::degrees::reason;
 use super::mathematics::Notation;
-use crate::algebra::{FieldElement, Polynomial as Computed, polynomial_to_exact, spell};
+use crate::algebra::{FieldElement, Polynomial as Computed, polynomial_to_exact};
 use crate::audit::decimal;
 use crate::construction::{Cell, Construction, How, Tiled};
 use crate::exact::{Limit, Radicands, Ring};
 use crate::geometry::{Point, Polygon, Split};
+use crate::statement::Subject;
 
 /// Decimals of a printed coordinate.
 const PLACES: u32 = 17;
@@ -189,17 +190,16 @@ pub fn impossible_text(name: &str, polygon: &Polygon, (m, n): (u32, u32), cell: 
 
 /// `construct` as data.
 pub fn constructed_data(name: &str, made: &Construction, files: &[Files]) -> Value {
-    let net: Vec<Vec<Vec<String>>> = made
-        .net
-        .iter()
-        .map(|row| row.iter().map(|point| point.iter().map(spell).collect()).collect())
-        .collect();
+    let net = match made.statement.subject() {
+        Subject::Patch(patch) => Some(super::json::net(&made.statement, &patch.net)),
+        Subject::System(_) => None,
+    };
     let theorem = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem);
     json!({
         "verdict": "EXACT",
         "name": name,
         "bidegree": (made.net.len() - 1, made.net[0].len() - 1),
-        "convention": "homogeneous",
+        "convention": super::json::CONVENTION,
         "net": net,
         "covers": made.cover.is_ok(),
         "reason": made.cover.as_ref().err().map(ToString::to_string),

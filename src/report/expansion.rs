@@ -7,10 +7,10 @@ use crate::exact::Limit;
 use crate::expand::{Basis, coefficients, grouped};
 use crate::statement::{Statement, Subject};
 
-/// `prove-cap expand` for people.
+/// `prove-cap expand` for people: a listing in plain notation, with comments, that `prove-cap audit` reads.
 pub fn describe_expansion(statement: &Statement, basis: Basis) -> Result<String, Limit> {
     let notation = Notation::new(statement.ring());
-    let mut text = format!("{}\n\n", statement.title());
+    let mut text = format!("# {}\n\n", statement.title());
     let Some(list) = coefficients(statement, basis)? else {
         if let Subject::System(polynomials) = statement.subject() {
             for (number, polynomial) in (1..).zip(polynomials) {
@@ -28,11 +28,11 @@ pub fn describe_expansion(statement: &Statement, basis: Basis) -> Result<String,
     };
     let letter = if basis == Basis::Bernstein { "c[r,s]" } else { "a[i,j]" };
     let surface = surface_text(statement);
-    let _ = writeln!(text, "F = {surface} = Σ {letter} {r} {s}");
+    let _ = writeln!(text, "# F = {surface} = Σ {letter} {r} {s}");
     if list.iter().any(|coefficient| coefficient.name == "a1") {
         let _ = writeln!(
             text,
-            "a1, …, a16 are the coefficients of uⁱvʲ, i, j = 1, …, 4, row by row (the paper's Eq. 10)."
+            "# a1, …, a16 are the coefficients of uⁱvʲ, i, j = 1, …, 4, row by row (the paper's Eq. 10)."
         );
     }
     let width = list.iter().filter(|c| !c.value.is_zero()).map(|c| c.name.len()).max().unwrap_or(0);
@@ -43,7 +43,7 @@ pub fn describe_expansion(statement: &Statement, basis: Basis) -> Result<String,
     let (distinct, zero) = grouped(&list);
     let _ = writeln!(
         text,
-        "\n{} coefficients: {zero} zero, {} distinct among the others.",
+        "\n# {} coefficients: {zero} zero, {} distinct among the others.",
         list.len(),
         distinct.len()
     );

@@ -13,6 +13,9 @@ use crate::expand::{Basis, Coefficient, coefficients};
 use crate::prove::{Attempt, Reason};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
+/// The convention of every net that is written: X, Y, Z, W, premultiplied.
+pub(super) const CONVENTION: &str = "homogeneous";
+
 /// The mathematical content of a statement.
 #[derive(Debug, Serialize)]
 pub struct StatementData {
@@ -25,6 +28,9 @@ pub struct StatementData {
     bidegree: Option<(u32, u32)>,
     #[serde(skip_serializing_if = "Option::is_none")]
     surface: Option<String>,
+    /// How the points of `net` are given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    convention: Option<&'static str>,
     /// Homogeneous points, premultiplied: `net[i]`[j] = [X, Y, Z, W].
     #[serde(skip_serializing_if = "Option::is_none")]
     net: Option<Vec<Vec<[String; 4]>>>,
@@ -77,6 +83,8 @@ pub struct AttemptData {
     steps: Option<Vec<StepData>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     values: Option<Vec<ValueData>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    convention: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     net: Option<Vec<Vec<[String; 4]>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -143,12 +151,14 @@ pub fn statement(statement: &Statement) -> StatementData {
         nonzero: statement.nonzero().iter().map(spell).collect(),
         bidegree: patch.map(|patch| patch.bidegree),
         surface: patch.map(|patch| statement.coordinate_ring().spell(&patch.surface)),
+        convention: patch.map(|_| CONVENTION),
         net: patch.map(|patch| net(statement, &patch.net)),
         polynomials,
     }
 }
 
-fn net(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Vec<Vec<[String; 4]>> {
+/// The points of a net in the canonical spelling.
+pub(super) fn net(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Vec<Vec<[String; 4]>> {
     let ring = statement.ring();
     let point = |point: &HomogeneousPoint| point.each_ref().map(|entry| ring.spell(entry));
     net.iter().map(|row| row.iter().map(point).collect()).collect()
@@ -185,6 +195,7 @@ pub fn attempt(
         monomial: expansion(of, Basis::Monomial)?,
         steps: None,
         values: None,
+        convention: None,
         net: None,
         weights_positive: None,
         reason: None,
@@ -220,6 +231,7 @@ fn solution(data: &mut AttemptData, theorem: &Theorem) {
     match theorem.claim() {
         Claim::Exact(ExactNet { values, net: points, weights_positive }) => {
             data.values = named(values);
+            data.convention = Some(CONVENTION);
             data.net = Some(net(statement, points));
             data.weights_positive = Some(*weights_positive);
         }

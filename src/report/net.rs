@@ -4,11 +4,12 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::attempt::wrapped_at;
 use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
 use crate::audit::decimal;
-use crate::audit::net::{Convention, NetAudit, NetChange, NetCorrection, PrintedNet};
-use crate::exact::{Limit, Polynomial, Ring};
+use crate::audit::net::{Convention, NetAudit, NetChange, NetCorrection, PrintedNet, Reading};
+use crate::exact::{Limit, Polynomial, Radicands, Ring};
 
 /// Coefficients and corrections that are printed.
 const SHOWN: usize = 12;
@@ -55,10 +56,18 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
     }
     text.push('\n');
     let _ = match audit.corrections.len() {
-        0 => writeln!(
-            text,
-            "No change of a single number, and no change of convention, puts the net on the surface."
-        ),
+        0 => {
+            let _ = writeln!(
+                text,
+                "No change of a single number to another of {} was found that puts the net on the surface,\n\
+                 and the other convention does not put it there. What each convention leaves:",
+                net.field
+            );
+            for reading in &audit.readings {
+                text += &reading_text(net, reading)?;
+            }
+            Ok(())
+        }
         1 => writeln!(text, "One single change puts the net on the surface:"),
         many => writeln!(text, "{many} single changes put the net on the surface, each alone:"),
     };
@@ -66,6 +75,42 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
         let _ = writeln!(text, "   {}", correction_text(net, &notation, correction));
     }
     Ok(text)
+}
+
+/// What one convention leaves.
+fn reading_text(net: &PrintedNet, reading: &Reading) -> Result<String, Limit> {
+    let meant = match reading.convention {
+        Convention::Cartesian => "Cartesian points",
+        Convention::Homogeneous => "premultiplied",
+    };
+    let how = if reading.convention == net.convention { "given as" } else { "read as" };
+    let (r, s, value) = &reading.largest;
+    let mut text =
+        format!("   {how} {meant}: the largest is c[{r},{s}] = {}…\n", visible(value, &net.field)?);
+    let explained = match (reading.decimals, reading.printed) {
+        (_, None) => return Ok(text),
+        (Some(decimals), Some(printed)) => format!(
+            "no coefficient exceeds the bound for numbers rounded to {decimals} decimals; up to {printed} are printed"
+        ),
+        (None, Some(_)) => {
+            "not all coefficients keep the bound for numbers rounded to one decimal".to_owned()
+        }
+    };
+    text += &wrapped_at(&explained, 6);
+    text.push('\n');
+    Ok(text)
+}
+
+/// A decimal with at least three digits that are not leading zeros, within reason.
+fn visible(value: &Polynomial, field: &Radicands) -> Result<String, Limit> {
+    for places in [6, 12, 20, 40, 100] {
+        let text = decimal(value, places, field)?;
+        let digits: String = text.chars().filter(char::is_ascii_digit).collect();
+        if digits.trim_start_matches('0').len() >= 3 {
+            return Ok(text);
+        }
+    }
+    decimal(value, 300, field)
 }
 
 fn correction_text(net: &PrintedNet, notation: &Notation, correction: &NetCorrection) -> String {
@@ -110,6 +155,16 @@ pub struct NetData {
     statement: StatementData,
     residual: Vec<ResidualData>,
     corrections: Vec<CorrectionData>,
+    readings: Vec<ReadingData>,
+}
+
+/// What one convention leaves.
+#[derive(Debug, Serialize)]
+struct ReadingData {
+    convention: &'static str,
+    largest: ResidualData,
+    decimals: Option<u32>,
+    printed: Option<u32>,
 }
 
 #[derive(Debug, Serialize)]
@@ -152,5 +207,16 @@ pub fn net_data(net: &PrintedNet, audit: &NetAudit) -> NetData {
         statement: statement_data(&audit.statement),
         residual: residual.collect(),
         corrections: corrections.collect(),
+        readings: audit.readings.iter().map(|reading| reading_data(reading, &ring)).collect(),
+    }
+}
+
+fn reading_data(reading: &Reading, ring: &Ring) -> ReadingData {
+    let (r, s, value) = &reading.largest;
+    ReadingData {
+        convention: reading.convention.word(),
+        largest: ResidualData { index: (*r, *s), value: ring.spell(value) },
+        decimals: reading.decimals,
+        printed: reading.printed,
     }
 }

@@ -3,4 +3,5 @@
 mod crash;
 mod figures;
 mod limits;
+mod readback;
 mod sessions;

@@ -1,5 +1,6 @@
 //! Nets in JSON: `{"title", "convention", "basis" or "radicands", "net"}`.
 //!
+//! What this program writes with `--format json` has title, radicands and surface in its `statement`.
 //! A number is a string with an expression, an integer, or, where there is a `basis` such as `["1", "sqrt2"]`, the list
 //! of its rational coordinates. The convention is the first word of `convention`.
 
@@ -9,6 +10,7 @@ use super::printed::{Convention, PrintedNet};
 use super::{AuditError, UNIT_SPHERE};
 use crate::exact::{Polynomial, Radicands, Work, limits};
 use crate::listing::{Expression, Scope};
+use crate::statement::Statement;
 
 /// Reads a net.
 ///
@@ -17,6 +19,14 @@ use crate::listing::{Expression, Scope};
 pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
     let document: Value =
         serde_json::from_str(text).map_err(|error| wrong("the file", &error.to_string()))?;
+    // Of an answer without a net of its own the statement has it.
+    if document.get("net").is_none() && document["statement"].get("net").is_some() {
+        let text = super::statement_from_json(text)?;
+        let statement =
+            Statement::read(&text).map_err(|error| wrong("statement", &error.fault.to_string()))?;
+        return PrintedNet::from_statement(&statement, Convention::Homogeneous);
+    }
+    let said = |key: &str| document.get(key).unwrap_or(&document["statement"][key]);
     let convention = document["convention"].as_str().unwrap_or_default();
     let word = convention.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
     let convention = Convention::read(word).ok_or_else(|| {
@@ -32,7 +42,7 @@ pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
             .collect::<Result<Vec<u32>, _>>()?,
         _ => return Err(wrong("basis", "expected a list")),
     };
-    let radicands = match &document["radicands"] {
+    let radicands = match said("radicands") {
         Value::Array(list) => list
             .iter()
             .map(|d| {
@@ -63,12 +73,12 @@ pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
         points.push(read);
     }
     check_shape(&points).map_err(|why| wrong("net", &why))?;
-    let surface = document["surface"].as_str().unwrap_or(UNIT_SPHERE).to_owned();
-    let title = document["title"].as_str().unwrap_or("A printed net").to_owned();
+    let surface = said("surface").as_str().unwrap_or(UNIT_SPHERE).to_owned();
+    let title = said("title").as_str().unwrap_or("A printed net").to_owned();
     Ok(PrintedNet { title, field, convention, surface, points })
 }
 
-fn wrong(place: &str, why: &str) -> AuditError {
+pub(super) fn wrong(place: &str, why: &str) -> AuditError {
     AuditError::Net(format!("{place}: {why}"))
 }
 

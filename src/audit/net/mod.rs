@@ -1,14 +1,18 @@
 //! A printed control net against a surface.
 
 mod correction;
+mod document;
 mod json;
 mod matlab;
 mod printed;
+mod reading;
 
 pub use correction::{NetChange, NetCorrection};
+pub use document::statement_from_json;
 pub use json::from_json;
 pub use matlab::from_matlab;
 pub use printed::{Convention, PrintedNet};
+pub use reading::Reading;
 
 use super::AuditError;
 use crate::algebra::{FieldElement, polynomial_from_exact};
@@ -34,6 +38,8 @@ pub struct NetAudit {
     pub coefficients: usize,
     /// Every single change that puts the net on the surface.
     pub corrections: Vec<NetCorrection>,
+    /// What the two conventions leave, where no single change was found.
+    pub readings: Vec<Reading>,
 }
 
 impl NetAudit {
@@ -60,16 +66,18 @@ impl NetAudit {
         };
         let corrections =
             if residual.is_empty() { Vec::new() } else { correction::search(net, &statement, control)? };
-        Ok(NetAudit { statement, agrees, residual, coefficients: count, corrections })
+        let readings = match residual.is_empty() || !corrections.is_empty() {
+            true => Vec::new(),
+            false => reading::readings(net, &statement, control)?,
+        };
+        Ok(NetAudit { statement, agrees, residual, coefficients: count, corrections, readings })
     }
 
     /// The coefficient of largest absolute value, as far as that can be decided.
     pub fn largest(&self) -> Option<&(u32, u32, Polynomial)> {
         let field = crate::prove::field_of(&self.statement);
         let size = |value: &Polynomial| -> Option<FieldElement> {
-            let value = polynomial_from_exact(field, value).as_constant()?;
-            let negative = value.sign()? == crate::algebra::Sign::Negative;
-            Some(if negative { -&value } else { value })
+            reading::absolute(&polynomial_from_exact(field, value).as_constant()?)
         };
         let mut largest = self.residual.first()?;
         let mut of_largest = size(&largest.2)?;

@@ -185,6 +185,15 @@ impl Polynomial {
         }
     }
 
+    /// The sum of the terms without and of those with √d, for the radicand d in `bit`.
+    pub(super) fn parts(&self, bit: u8) -> (Self, Self) {
+        let part = |with_root: bool| {
+            let terms = self.terms().filter(|(monomial, _)| (monomial.mask() & bit != 0) == with_root);
+            Polynomial::from_terms(terms.map(|(monomial, value)| (monomial.clone(), value.clone())))
+        };
+        (part(false), part(true))
+    }
+
     /// The image under √d ↦ −√d for the radicand in `bit`.
     fn conjugate(&self, bit: u8) -> Self {
         let flip = |(monomial, value): &(Monomial, BigRational)| {

@@ -25,12 +25,8 @@ pub fn sign(value: &Polynomial, field: &Radicands, work: &mut Work) -> Result<Op
         });
         return Ok(Some(rational));
     };
-    let part = |with_root: bool| {
-        let terms = value.terms().filter(|(m, _)| (m.mask() & bit != 0) == with_root);
-        Polynomial::from_terms(terms.map(|(m, q)| (m.clone(), q.clone())))
-    };
     // `root` is b√d itself: the sign of b√d is found from (b√d)·√d, which lies in the smaller field.
-    let (plain, root) = (part(false), part(true));
+    let (plain, root) = value.parts(bit);
     let sqrt = Polynomial::term(One::one(), Monomial::radical(bit));
     let (Some(of_plain), Some(of_root)) =
         (sign(&plain, field, work)?, sign(&root.multiply(&sqrt, field, work)?, field, work)?)

@@ -58,8 +58,8 @@ pub enum StatementFault {
     Syntax { expected: &'static str, found: String },
     /// A symbol nobody declared.
     UnknownSymbol { name: String, expected: String },
-    /// A square root outside the field.
-    Root { value: String, field: String },
+    /// A square root outside the field; the field, and why.
+    Root { value: String, outside: String },
     /// A division by zero.
     DivisionByZero,
     /// A division by something that contains an unknown.
@@ -124,7 +124,7 @@ impl fmt::Display for StatementFault {
             Fault::UnknownSymbol { name, expected } => {
                 write!(f, "unknown symbol `{name}`, expected {expected}")
             }
-            Fault::Root { value, field } => write!(f, "the square root of {value} is not in {field}"),
+            Fault::Root { value, outside } => write!(f, "the square root of {value} is not in {outside}"),
             Fault::DivisionByZero => write!(f, "division by zero"),
             Fault::DivisionByUnknown => {
                 write!(f, "division by an expression with unknowns, expected a constant")

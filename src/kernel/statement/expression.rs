@@ -17,7 +17,7 @@ use num_traits::One;
 
 use super::error::StatementFault;
 use super::source::Located;
-use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work, limits, read_natural};
+use crate::exact::{Limit, Polynomial, Radicands, Work, limits, read_natural};
 
 /// The symbols an expression may use.
 pub(super) struct Scope<'a> {
@@ -235,19 +235,18 @@ impl<'a> Parser<'a, '_> {
     fn root(&mut self, start: usize) -> Result<Polynomial, Located> {
         let value = self.bracket()?;
         let field = self.scope.field;
-        let root = match value.as_rational() {
-            Some(rational) => {
-                let root = field.square_root(&rational, self.work);
-                self.located(start, root)?
+        let root = value.square_root(field, self.work);
+        match self.located(start, root)? {
+            Ok(root) => self.checked(start, Ok(root)),
+            Err(why) => {
+                let argument = self.text.get(start..self.at).unwrap_or("").trim_start_matches("sqrt").trim();
+                let mut value: String = argument.chars().take(40).collect();
+                if value.len() < argument.len() {
+                    value.push('…');
+                }
+                Err((StatementFault::Root { value, outside: format!("{field}{why}") }, start..self.at))
             }
-            None => None,
-        };
-        let root = root.map(|(factor, mask)| Polynomial::term(factor, Monomial::radical(mask)));
-        root.ok_or_else(|| {
-            let argument = self.text.get(start..self.at).unwrap_or("").trim_start_matches("sqrt").trim();
-            let value = argument.chars().take(40).collect();
-            (StatementFault::Root { value, field: field.to_string() }, start..self.at)
-        })
+        }
     }
 
     fn symbol(&mut self, name: &str, start: usize) -> Result<Polynomial, Located> {
