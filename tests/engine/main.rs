@@ -7,4 +7,5 @@ mod expansion;
 mod families;
 mod lifting;
 mod refutation;
+mod scaling;
 mod systems;
