@@ -37,21 +37,46 @@ pub enum Reason {
     Elimination(Undecided),
     /// The only common zero makes the denominator W of the patch vanish identically: it is no patch.
     NoDenominator,
+    /// What the checker would have to do is beyond its limits.
+    Limited {
+        /// Which one.
+        limit: Limit,
+        /// Whether an argument was found; if not, the checker cannot derive the equations, and none was looked for.
+        found: bool,
+    },
 }
 
 /// What goes wrong in an attempt without being an answer.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProveError {
-    /// The certificate would exceed what the format allows.
-    #[error("the certificate does not fit its format: {0}")]
-    Limit(#[from] Limit),
-    /// The checker could not even derive the equations, whatever the certificate.
-    #[error("too large for the checker, which would have to derive the equations: {0}")]
-    TooLarge(Stop),
+    /// The checker is at fault: it found what one of its earlier checks has excluded.
+    #[error("{0}")]
+    Defect(Stop),
     /// The independent checker refused what the engine found: a defect of this program.
     #[error("the independent checker refused the certificate: {0}")]
     Refused(CheckError),
+}
+
+/// Why what was found is not an answer: it is too long for the checker, or an error.
+enum NoAnswer {
+    Limit(Limit),
+    Error(ProveError),
+}
+
+impl From<Limit> for NoAnswer {
+    fn from(limit: Limit) -> Self {
+        NoAnswer::Limit(limit)
+    }
+}
+
+impl From<CheckError> for NoAnswer {
+    fn from(error: CheckError) -> Self {
+        match error.limit() {
+            Some(limit) => NoAnswer::Limit(limit.clone()),
+            None => NoAnswer::Error(ProveError::Refused(error)),
+        }
+    }
 }
 
 /// The field a statement is made over, for computing.
@@ -94,11 +119,22 @@ pub fn system_of(statement: &Statement) -> System {
 /// Tries to decide a statement.
 ///
 /// # Errors
-/// [`ProveError`] where the result cannot be written down, or where the checker disagrees.
+/// [`ProveError`] where the checker disagrees. What exceeds its limits is undecided.
 pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
     // The prover has no limits of its own; what the checker cannot derive is not worth proving.
-    Equations::of(statement, &mut Work::full()).map_err(ProveError::TooLarge)?;
-    control.check().map_or_else(|why| Ok(interrupted(why, control)), |()| search(statement, control))
+    let limited = |limit, found| Ok(Attempt::Undecided(Reason::Limited { limit, found }));
+    match Equations::of(statement, &mut Work::full()) {
+        Ok(_) => {}
+        Err(Stop::Limit(limit)) => return limited(limit, false),
+        Err(defect) => return Err(ProveError::Defect(defect)),
+    }
+    if let Err(why) = control.check() {
+        return Ok(interrupted(why, control));
+    }
+    search(statement, control).or_else(|why| match why {
+        NoAnswer::Limit(limit) => limited(limit, true),
+        NoAnswer::Error(error) => Err(error),
+    })
 }
 
 fn interrupted(why: Interrupted, control: &Control<'_>) -> Attempt {
@@ -106,14 +142,14 @@ fn interrupted(why: Interrupted, control: &Control<'_>) -> Attempt {
     Attempt::Undecided(Reason::Elimination(Undecided::Interrupted { why, reached }))
 }
 
-fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
+fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, NoAnswer> {
     let system = system_of(statement);
     let (derivation, outcome) = eliminate(&system, control);
     match outcome {
         Outcome::Unit(unit) => {
             control.observe(&Progress::Shortening);
             let argument = Argument::Impossible(steps(&derivation, unit)?);
-            checked(statement, argument).map_err(ProveError::Refused)
+            Ok(checked(statement, argument)?)
         }
         Outcome::Point(point) => Ok(best_point(statement, vec![point])?.unwrap_or(NO_DENOMINATOR)),
         Outcome::Open(Undecided::Consistent(closure)) => {
@@ -131,8 +167,8 @@ fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, Prove
 const NO_DENOMINATOR: Attempt = Attempt::Undecided(Reason::NoDenominator);
 
 /// Of several solutions the first with positive weights, or else the first; `None` if none makes a patch.
-fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<Option<Attempt>, ProveError> {
-    let mut best = None;
+fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<Option<Attempt>, NoAnswer> {
+    let (mut best, mut limit) = (None, None);
     for point in points {
         let constants = point.into_iter().take(statement.unknowns().len()).map(Polynomial::constant);
         let values = constants.map(|value| polynomial_to_exact(&value)).collect::<Result<_, _>>()?;
@@ -146,10 +182,17 @@ fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<O
                 best = best.or(Some(attempt));
             }
             Err(CheckError::Rejected(Rejection::Exact(ExactRejection::NoDenominator))) => {}
-            Err(refused) => return Err(ProveError::Refused(refused)),
+            Err(error) => match NoAnswer::from(error) {
+                // Another solution may be shorter.
+                NoAnswer::Limit(reached) => limit = limit.or(Some(reached)),
+                error => return Err(error),
+            },
         }
     }
-    Ok(best)
+    match (best, limit) {
+        (None, Some(limit)) => Err(NoAnswer::Limit(limit)),
+        (best, _) => Ok(best),
+    }
 }
 
 /// The certificate with this argument, and what the checker says of it.

@@ -5,6 +5,7 @@
 
 mod convert;
 mod field;
+mod fixed;
 mod integer;
 mod monomial;
 mod polynomial;
@@ -16,6 +17,7 @@ mod univariate;
 
 pub use convert::{polynomial_from_exact, polynomial_to_exact};
 pub use field::{FieldElement, MultiquadraticField};
+pub use fixed::{Magnitude, fixed, magnitude};
 pub use integer::{BACKEND, Integer};
 pub use monomial::Monomial;
 pub use polynomial::Polynomial;

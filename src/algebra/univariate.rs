@@ -95,7 +95,7 @@ impl Univariate {
             let signs = chain.iter().filter_map(|p| Some((p.degree(), p.coefficients.last()?)));
             signs
                 .map(|(degree, c)| {
-                    let positive = c.sign()? == Sign::Positive;
+                    let positive = c.sign() == Sign::Positive;
                     Some(positive != (at_minus_infinity && degree % 2 == 1))
                 })
                 .collect::<Option<Vec<bool>>>()

@@ -1,5 +1,8 @@
 //! Boxes of the unit square with the Bernstein coefficients of some forms on them, in fixed point.
 
+use num_rational::BigRational;
+
+use super::exactly::dyadic;
 use crate::algebra::Integer;
 
 /// A form of bidegree (m,n): its Bernstein coefficients b[i,j], (m+1) rows of n + 1, in fixed point.
@@ -68,9 +71,10 @@ impl<const N: usize> Part<N> {
         (self.depth.div_ceil(2), self.depth / 2)
     }
 
-    /// The corner with this number in the order of [`Coefficients::corners`], as numerators over 2^depths.
-    pub(super) fn corner(&self, number: usize) -> (Integer, Integer) {
+    /// The corner with this number in the order of [`Coefficients::corners`], as a point (u, v).
+    pub(super) fn place(&self, number: usize) -> [BigRational; 2] {
         let moved = |x: &Integer, far: bool| if far { x + &Integer::one() } else { x.clone() };
-        (moved(&self.corner.0, number >= 2), moved(&self.corner.1, number % 2 == 1))
+        let (i, j) = self.depths();
+        [dyadic(&moved(&self.corner.0, number >= 2), i), dyadic(&moved(&self.corner.1, number % 2 == 1), j)]
     }
 }

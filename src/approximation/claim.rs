@@ -6,6 +6,7 @@ use num_traits::One;
 
 use super::enclosure::{Enclosure, EnclosureError};
 use super::point::{decimal_at, simple_point_beyond};
+use super::scene::Scene;
 use crate::certificate::{Side, decimal_value, spell_decimal};
 use crate::statement::Statement;
 
@@ -48,6 +49,7 @@ pub fn judge(
     claim: &[String; 2],
 ) -> Result<Vec<EndVerdict>, EnclosureError> {
     let bounds = &enclosure.bounds;
+    let scene = Scene::of(statement, &bounds.values)?;
     let proved = [&bounds.lower.bound, &bounds.upper.bound].map(|units| decimal_value(units, bounds.places));
     let unit = decimal_value(&BigInt::one(), bounds.places);
     let ends = [
@@ -66,9 +68,9 @@ pub fn judge(
         } else if beyond > &half + &unit {
             // The quantity comes within a unit of the bound. Not just outside: half way to the true bound at least.
             let limit = (&value + bound) / BigRational::from_integer(2.into());
-            let at = simple_point_beyond(statement, &bounds.values, side, &limit, &end.at)?;
+            let at = simple_point_beyond(&scene, side, &limit, &end.at);
             let within = [&proved[0], &proved[1]];
-            let shown = decimal_at(statement, &bounds.values, &at, bounds.places, within)?;
+            let shown = decimal_at(&scene, &at, bounds.places, within);
             let units = (shown / &unit).to_integer();
             Finding::Fails { at, value: spell_decimal(&units, bounds.places) }
         } else {

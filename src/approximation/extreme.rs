@@ -1,22 +1,23 @@
 //! The largest value of a quotient of two forms on the unit square.
 
+use num_rational::BigRational;
+
 use super::boxes::{Coefficients, Part};
 use super::tree::NoTree;
 use crate::algebra::Integer;
 use crate::elimination::Control;
 
-/// A point of the square, as numerators over powers of two, and the quotient there in fixed point.
+/// A point (u, v) of the square, and the quotient there in fixed point.
 #[derive(Debug, Clone)]
 pub(super) struct Extreme {
-    pub(super) corner: (Integer, Integer),
-    pub(super) depths: (u32, u32),
+    pub(super) at: [BigRational; 2],
     pub(super) value: Integer,
 }
 
 /// The largest value of numerator/denominator, in units of 2^−bits: no point has one larger by more than `slack`.
 ///
-/// The denominator is positive and both have one bidegree. With the Bernstein coefficients nᵢ and dᵢ of both, the quotient
-/// on a box is at most max nᵢ/dᵢ. Boxes that cannot do better than the best corner so far are dropped, the others halved, all
+/// The denominator is positive and both have one bidegree, and one precision, which need not be `bits`. If no Bernstein
+/// coefficient nᵢ − bar·dᵢ on a box is positive, the quotient is at most the bar there. Boxes that cannot do better than the best corner so far are dropped, the others halved, all
 /// of one depth before those of the next: near a maximum a bounded number is left at each depth.
 pub(super) fn largest(
     numerator: Coefficients,
@@ -37,10 +38,12 @@ pub(super) fn largest(
                 // n/d > best iff n·2^bits > best·d: no division unless it is.
                 let scaled = above.values[place].shifted_left(bits);
                 let better = best.as_ref().is_none_or(|best| scaled > &best.value * &below.values[place]);
-                if better {
+                // Where the denominator is so small that it is lost in rounding, there is no quotient: the caller has seen to it that
+                // there is no such corner.
+                if better && !below.values[place].is_negative() && !below.values[place].is_zero() {
                     let (value, _) = scaled.quotient_and_remainder(&below.values[place]);
                     if best.as_ref().is_none_or(|best| value > best.value) {
-                        best = Some(Extreme { corner: part.corner(number), depths: part.depths(), value });
+                        best = Some(Extreme { at: part.place(number), value });
                     }
                 }
             }

@@ -57,7 +57,7 @@ pub enum AuditError {
     #[error("{0}")]
     Limit(#[from] Limit),
     /// The statement has a surface condition that the trusted part could not expand.
-    #[error("the statement is too large: {0}")]
+    #[error("the statement is beyond the limits of the checker: {0}")]
     TooLarge(Stop),
     /// Stopped by the user or by the clock.
     #[error("stopped: {0}")]

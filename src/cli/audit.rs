@@ -91,11 +91,15 @@ fn place(options: &AuditOptions) -> String {
     options.file.as_deref().map_or_else(|| "the paper's listing".into(), |file| file.display().to_string())
 }
 
-/// An audit that was interrupted has no verdict; any other error is one.
+/// An audit that was interrupted, or that the checker cannot follow, has no verdict; any other error is one.
 fn stopped(options: &AuditOptions, error: AuditError) -> Result<Outcome, Failure> {
     match error {
         AuditError::Interrupted(why) => {
             let text = format!("UNDECIDED  the audit was stopped: {why}\n");
+            Ok(Outcome { text, status: Status::Undecided })
+        }
+        error @ AuditError::TooLarge(_) => {
+            let text = format!("UNDECIDED  {}: {error}\n", place(options));
             Ok(Outcome { text, status: Status::Undecided })
         }
         other => Err(failure(options, &other)),

@@ -102,7 +102,11 @@ pub(super) fn degree_of(statement: &Statement) -> Result<u32, Failure> {
 /// What a search that ended without an enclosure comes to.
 pub(super) fn undecided(name: &str, error: &EnclosureError, format: Format) -> Result<Outcome, Failure> {
     match error {
-        EnclosureError::Interrupted(_) | EnclosureError::TooFine(_) => {
+        EnclosureError::Interrupted(_)
+        | EnclosureError::TooFine(_)
+        | EnclosureError::NearZero(_)
+        | EnclosureError::Unsettled { .. }
+        | EnclosureError::Limit(_) => {
             let text = match format {
                 Format::Json => to_json(
                     &serde_json::json!({ "verdict": "UNDECIDED", "name": name, "reason": error.to_string() }),

@@ -117,7 +117,9 @@ pub(super) fn refused(
         Refusal::Impossible(cell) => {
             (impossible_text(&shape.name, &shape.polygon, bidegree, *cell), Status::Established)
         }
-        Refusal::Interrupted(why) => (format!("UNDECIDED  {}: {why}\n", shape.name), Status::Undecided),
+        Refusal::Interrupted(_) | Refusal::Limit(_) | Refusal::NoneFound => {
+            (format!("UNDECIDED  {}: {refusal}\n", shape.name), Status::Undecided)
+        }
         _ => return Err(Failure(format!("{}: {refusal}", shape.name))),
     };
     let text = match format {

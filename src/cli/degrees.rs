@@ -10,7 +10,11 @@ use super::control::{Limits, under_control};
 use super::files::write_pair;
 use super::outcome::{Failure, Outcome, Status};
 use super::polygon::{PolygonOptions, Shape};
-use crate::construction::{Cell, Phase, classify, closing_certificate, closing_statement, construct};
+use crate::certificate::Certificate;
+use crate::checker::{CheckError, check_read};
+use crate::construction::{
+    Cell, Phase, Refusal, classify, closing_certificate, closing_statement, construct,
+};
 use crate::report::{Backing, degrees_data, degrees_text, explain};
 use crate::statement::Statement;
 
@@ -29,6 +33,15 @@ pub(super) struct DegreesOptions {
     output: Option<PathBuf>,
     #[command(flatten)]
     limits: Limits,
+}
+
+/// The statement that the phase closes, and its refutation, which the checker has accepted.
+fn closing(shape: &Shape, text: &str) -> Result<(Statement, Certificate), Refusal> {
+    let statement = Statement::read(text).map_err(CheckError::from)?;
+    let certificate = closing_certificate(&shape.polygon, &statement).map_err(Refusal::Limit)?;
+    let certificate = certificate.ok_or(Refusal::NoneFound)?;
+    check_read(&statement, &certificate)?;
+    Ok((statement, certificate))
 }
 
 pub(super) fn run(options: &DegreesOptions, format: Format) -> Result<Outcome, Failure> {
@@ -50,9 +63,10 @@ pub(super) fn run(options: &DegreesOptions, format: Format) -> Result<Outcome, F
     if phase == Phase::Open {
         let title = format!("Closing condition of the quadrilateral {}", shape.name);
         let text = closing_statement(&shape.polygon, &title);
-        let statement = Statement::read(&text).map_err(|error| Failure(format!("{title}:{error}")))?;
-        let certificate = closing_certificate(&shape.polygon, &statement).map_err(Failure::of)?;
-        let certificate = certificate.ok_or_else(|| Failure(format!("{}: Z is real", shape.name)))?;
+        let (statement, certificate) = match closing(&shape, &text) {
+            Ok(refutation) => refutation,
+            Err(refusal) => return refused(&shape, (2, 2), refusal, format),
+        };
         let certificate = certificate.write(&statement.ring());
         backing.closing =
             Some(write_pair(&directory.join("closing"), &text, &certificate, "certificate.txt")?);

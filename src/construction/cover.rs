@@ -1,11 +1,14 @@
 //! Whether a net covers the polygon between its corners: the certificate, and what the checker makes of it.
 
+use num_rational::BigRational;
+
 use crate::algebra::{FieldElement, Integer, Polynomial};
 use crate::approximation::{NoTree, positive_tree};
 use crate::bezier::BernsteinForm;
 use crate::certificate::{Argument, Certificate, Cover, EdgeTree, Tree};
 use crate::checker::{CheckError, Theorem, check_read};
 use crate::elimination::{Control, Interrupted};
+use crate::exact::Limit;
 use crate::geometry::{Point, Vector, dot};
 use crate::statement::Statement;
 
@@ -16,14 +19,25 @@ const BOXES: usize = 4_000;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CoverError {
-    /// Not positive, as far as the subdivision went.
-    #[error("{what} is not positive on the whole square{place}")]
+    /// Not positive somewhere, exactly.
+    #[error("{what} is not positive on the whole square: it is {} at (u, v) = ({}, {})", if *zero { "0" } else { "negative" }, at[0], at[1])]
     NotPositive {
         /// Of what.
         what: &'static str,
-        /// Where it is not.
-        place: String,
+        /// Where.
+        at: Box<[BigRational; 2]>,
+        /// Whether it is 0 there.
+        zero: bool,
     },
+    /// Positive wherever it was looked at, but not shown to be so everywhere.
+    #[error("{what} is not shown to be positive on the whole square by {BOXES} boxes")]
+    NotShown {
+        /// Of what.
+        what: &'static str,
+    },
+    /// A limit of the checker.
+    #[error("the checker, which judges every certificate, has limits: {0}")]
+    Limit(Limit),
     /// Interrupted.
     #[error("{0}")]
     Interrupted(Interrupted),
@@ -43,7 +57,7 @@ pub fn cover(
 ) -> Result<(Certificate, Theorem), CoverError> {
     let (m, n) = (net.len() - 1, net[0].len() - 1);
     let weights: Vec<FieldElement> = net.iter().flatten().map(|[.., weight]| weight.clone()).collect();
-    let denominator = positive("the denominator W", (m, n), &weights, control)?;
+    let denominator = positive("the denominator W", (m, n), weights, control)?;
 
     let column = |j: usize| net.iter().map(|row| row[j].clone()).collect::<Vec<_>>();
     let curves = [net[0].clone(), net[m].clone(), column(0), column(n)];
@@ -54,39 +68,48 @@ pub fn cover(
         let middle: Vector = std::array::from_fn(|k| &(&a[k] * &b[3]) + &(&b[k] * &a[3]));
         let along: Vec<FieldElement> = curve.iter().map(|point| dot(&middle, &vector(point))).collect();
         let bidegree = if number < 2 { (0, n) } else { (m, 0) };
-        edges[number] = EdgeTree::Arc(positive("an edge's side of its arc", bidegree, &along, control)?);
+        let tree =
+            positive("an edge's side of its arc", bidegree, along, control).map_err(|why| match why {
+                // The form knows the place along the edge only.
+                CoverError::NotPositive { what, mut at, zero } => {
+                    at[number / 2] = BigRational::from_integer((number % 2).into());
+                    CoverError::NotPositive { what, at, zero }
+                }
+                other => other,
+            })?;
+        edges[number] = EdgeTree::Arc(tree);
     }
 
     let (mut bidegree, mut values) = jacobian(net);
     if let Some(edge) = points.iter().position(|point| *point) {
         (bidegree, values) = without_factor(edge, bidegree, values);
     }
-    let inward = values[0].sign() == Some(crate::algebra::Sign::Negative);
+    let inward = values[0].sign() == crate::algebra::Sign::Negative;
     if inward {
         values = values.iter().map(|value| -value).collect();
     }
-    let regular = positive("the Jacobian determinant", bidegree, &values, control)?;
+    let regular = positive("the Jacobian determinant", bidegree, values, control)?;
     let argument = Argument::Cover(Cover { values: vec![], denominator, edges, inward, regular });
     let certificate = Certificate { statement: statement.hash(), argument };
     match check_read(statement, &certificate) {
         Ok(theorem) => Ok((certificate, theorem)),
-        Err(error) => Err(CoverError::Refused(error)),
+        Err(error) => Err(match error.limit() {
+            Some(limit) => CoverError::Limit(limit.clone()),
+            None => CoverError::Refused(error),
+        }),
     }
 }
 
 fn positive(
     what: &'static str,
     bidegree: (usize, usize),
-    values: &[FieldElement],
+    values: Vec<FieldElement>,
     control: &Control<'_>,
 ) -> Result<Tree, CoverError> {
     positive_tree(bidegree, values, BOXES, control).map_err(|why| match why {
         NoTree::Interrupted(why) => CoverError::Interrupted(why),
-        NoTree::TooMany => CoverError::NotPositive { what, place: format!(", as far as {BOXES} boxes show") },
-        NoTree::Negative { corner: (u, v), depths: (i, j) } => {
-            let place = format!(": see (u, v) = ({u}/2^{i}, {v}/2^{j})");
-            CoverError::NotPositive { what, place }
-        }
+        NoTree::TooMany | NoTree::Near(_) => CoverError::NotShown { what },
+        NoTree::Fails { at, zero } => CoverError::NotPositive { what, at: Box::new(at), zero },
     })
 }
 

@@ -23,7 +23,7 @@ impl Phase {
         match (polygon.is_triangle(), im.is_zero(), re.sign()) {
             (true, ..) => Phase::Absorbed,
             (_, false, _) => Phase::Open,
-            (_, true, Some(Sign::Positive)) => Phase::None,
+            (_, true, Sign::Positive) => Phase::None,
             _ => Phase::Reversed,
         }
     }

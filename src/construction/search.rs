@@ -10,6 +10,7 @@ use crate::catalogue::{net_statement, normalised};
 use crate::certificate::{Argument, Certificate};
 use crate::checker::{CheckError, Theorem, check_read};
 use crate::elimination::{Control, Interrupted};
+use crate::exact::Limit;
 use crate::geometry::{
     Moduli, Point, Polygon, SpinorForm, Split, Vector, biquartic, quadrilateral, triangle, without_phase,
 };
@@ -64,15 +65,27 @@ pub enum Refusal {
         "--centre is for bidegrees from (4,4) on and a quadrilateral about the axis (0, 0, 1) with the symmetry of the square"
     )]
     NoCentre,
-    /// No construction worked in the field.
-    #[error("the construction needs numbers beyond the limits of exact signs")]
-    TooLarge,
+    /// No choice of what is free made a net.
+    #[error("none of the constructions that were tried makes a net")]
+    NoneFound,
+    /// The net, or what is to be checked about it, is beyond the limits of the checker.
+    #[error("the checker, which judges every certificate, has limits: {0}")]
+    Limit(Limit),
     /// Interrupted.
     #[error("{0}")]
     Interrupted(Interrupted),
     /// The checker refused: a defect of this program.
     #[error("the independent checker refused the net: {0}")]
     Refused(CheckError),
+}
+
+impl From<CheckError> for Refusal {
+    fn from(error: CheckError) -> Self {
+        match error.limit() {
+            Some(limit) => Refusal::Limit(limit.clone()),
+            None => Refusal::Refused(error),
+        }
+    }
 }
 
 /// An exact patch of this bidegree for a polygon: the first of the family that covers it, or if none is found to, the first.
@@ -106,7 +119,7 @@ pub fn construct(
     if centre.is_some() {
         return Err(Refusal::NoCentre);
     }
-    let mut first = None;
+    let (mut first, mut limit) = (None, None);
     for (tried, (scales, split, rotation)) in
         iproduct!(scales(polygon), [Split::Even, Split::Low, Split::High], [0usize, 1]).enumerate()
     {
@@ -114,20 +127,22 @@ pub fn construct(
         let moduli = Moduli { rotation: 0, split, scales };
         let Some(made) = candidate(polygon, base, moduli, rotation == 1, tried) else { continue };
         let last = matches!(made.2, How::Bilinear) && !polygon.is_triangle();
-        let positive = made.0.iter().flatten().all(|[.., weight]| weight.sign() == Some(Sign::Positive));
+        let positive = made.0.iter().flatten().all(|[.., weight]| weight.sign() == Sign::Positive);
         if positive || first.is_none() {
-            let made = finish(title, bidegree, made, control)?;
-            if made.cover.is_ok() || last {
-                return Ok(made);
+            match finish(title, bidegree, made, control) {
+                Ok(made) if made.cover.is_ok() || last => return Ok(made),
+                Ok(made) => first = first.or(Some(made)),
+                // Another net may be shorter.
+                Err(Refusal::Limit(reached)) => limit = limit.or(Some(reached)),
+                Err(refusal) => return Err(refusal),
             }
-            first.get_or_insert(made);
         }
         // A corner that is not convex leaves no hope: at it the Jacobian determinant is negative or zero.
         if !polygon.is_convex() && !polygon.reversed().is_convex() {
             break;
         }
     }
-    first.ok_or(Refusal::TooLarge)
+    first.ok_or_else(|| limit.map_or(Refusal::NoneFound, Refusal::Limit))
 }
 
 /// A net, the polygon as it lies in it, and how it was made.
@@ -202,9 +217,9 @@ fn finish(
     let remark = "An exact patch: the generalised stereographic image of a spinor whose edges run along great circles.";
     let (m, n) = bidegree;
     let text = net_statement(&format!("{title}, bidegree ({m},{n}), exact"), remark, &net);
-    let statement = Statement::read(&text).map_err(|error| Refusal::Refused(error.into()))?;
+    let statement = Statement::read(&text).map_err(CheckError::from)?;
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Exact(vec![]) };
-    let theorem = check_read(&statement, &certificate).map_err(Refusal::Refused)?;
+    let theorem = check_read(&statement, &certificate)?;
     let cover = match cover(&statement, &net, control) {
         Err(CoverError::Interrupted(why)) => return Err(Refusal::Interrupted(why)),
         other => other,

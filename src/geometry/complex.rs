@@ -66,5 +66,5 @@ impl Complex {
 /// The positive square root, where K has one.
 pub(super) fn positive_root(square: &FieldElement) -> Option<FieldElement> {
     let root = square.square_root()?;
-    Some(if root.sign()? == Sign::Negative { -&root } else { root })
+    Some(if root.sign() == Sign::Negative { -&root } else { root })
 }

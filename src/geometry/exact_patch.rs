@@ -73,7 +73,7 @@ impl Carrier {
         let root = match positive_root(&kappa) {
             Some(root) => root,
             None => {
-                let near = near(&kappa)?;
+                let near = near(&kappa);
                 if from.is_multiple_of(2) { near } else { &kappa * &near.inverse()? }
             }
         };
@@ -84,7 +84,7 @@ impl Carrier {
 }
 
 /// A rational near √x, with few digits, x in K positive and not small.
-fn near(x: &FieldElement) -> Option<FieldElement> {
+fn near(x: &FieldElement) -> FieldElement {
     let field = x.field();
     let scale = 64i64;
     // ⌊√x·64⌋ by bisection with exact signs.
@@ -92,12 +92,12 @@ fn near(x: &FieldElement) -> Option<FieldElement> {
     while high - low > 1 {
         let middle = (low + high) / 2;
         let trial = field.rational(Integer::from(middle), Integer::from(scale));
-        match (x - &(&trial * &trial)).sign()? {
+        match (x - &(&trial * &trial)).sign() {
             crate::algebra::Sign::Negative => high = middle,
             _ => low = middle,
         }
     }
-    Some(field.rational(Integer::from(low), Integer::from(scale)))
+    field.rational(Integer::from(low), Integer::from(scale))
 }
 
 /// f with spinors f·t = s.
@@ -114,12 +114,12 @@ fn half(f: &Complex) -> Option<Complex> {
     let field = f.re.field();
     let one = Complex::real(field.one());
     let length = positive_root(&f.norm());
-    let length = length.map_or_else(|| near(&f.norm()), Some)?;
+    let length = length.unwrap_or_else(|| near(&f.norm()));
     let sum = Complex::real(length).plus(f);
     if sum.is_zero() {
         return Some(Complex { re: field.zero(), im: one.re });
     }
-    sum.direction().or_else(|| Some(sum.scaled(&near(&sum.norm())?.inverse()?)))
+    sum.direction().or_else(|| Some(sum.scaled(&near(&sum.norm()).inverse()?)))
 }
 
 /// ((1−u) + u·f)·((1−u)·p + u·q): Bernstein coefficients.
@@ -161,7 +161,7 @@ pub fn without_phase(polygon: &Polygon, moduli: &Moduli) -> Option<(SpinorForm, 
     let side = carrier.carried(&start, 0, 3)?;
     let end = carrier.carried(&side, 3, 2)?;
     let phase = ratio(&carrier.carried(&far, 1, 2)?, &end)?;
-    let shorter = phase.re.sign()? == crate::algebra::Sign::Positive;
+    let shorter = phase.re.sign() == crate::algebra::Sign::Positive;
     phase.im.is_zero().then(|| (SpinorForm(vec![vec![start, side], vec![far, end]]), shorter))
 }
 
@@ -198,7 +198,7 @@ pub fn biquartic(polygon: &Polygon, centre: &FieldElement) -> Option<SpinorForm>
         return None;
     }
     let zero = Complex::real(centre.field().zero());
-    let south = polygon.corners()[0][2].sign()? == crate::algebra::Sign::Negative;
+    let south = polygon.corners()[0][2].sign() == crate::algebra::Sign::Negative;
     let mut middle = [zero.clone(), zero];
     let pole = usize::from(south);
     middle[pole] = edges[0][1].0[pole].scaled(centre);

@@ -37,9 +37,6 @@ pub enum PolygonError {
         first % 4 + 1, second % 4 + 1
     )]
     Crossing { first: usize, second: usize },
-    /// Numbers beyond the limits of exact signs.
-    #[error("the corners' numbers are too large to compare")]
-    TooLarge,
 }
 
 impl Polygon {
@@ -73,7 +70,7 @@ impl Polygon {
         }
         if let [a, b, c, d] = &corners[..] {
             for (first, second, sides) in [(1, 3, [a, b, c, d]), (2, 4, [b, c, d, a])] {
-                if cross(sides).ok_or(PolygonError::TooLarge)? {
+                if cross(sides) {
                     return Err(PolygonError::Crossing { first, second });
                 }
             }
@@ -103,7 +100,7 @@ impl Polygon {
 
     /// Whether every corner turns to the left.
     pub fn is_convex(&self) -> bool {
-        self.turns().iter().all(|turn| turn.sign() == Some(Sign::Positive))
+        self.turns().iter().all(|turn| turn.sign() == Sign::Positive)
     }
 
     /// The same polygon seen from the other side.
@@ -138,23 +135,22 @@ pub fn determinant(a: &Vector, b: &Vector, c: &Vector) -> FieldElement {
 }
 
 /// Whether the shorter arcs from a to b and from c to d have a point in common.
-fn cross([a, b, c, d]: [&Vector; 4]) -> Option<bool> {
+fn cross([a, b, c, d]: [&Vector; 4]) -> bool {
     let sides = [determinant(a, b, c), determinant(a, b, d), determinant(c, d, a), determinant(c, d, b)];
-    let [c_side, d_side, a_side, b_side] =
-        [sides[0].sign()?, sides[1].sign()?, sides[2].sign()?, sides[3].sign()?];
+    let [c_side, d_side, a_side, b_side] = sides.each_ref().map(FieldElement::sign);
     if [c_side, d_side, a_side, b_side].iter().all(|side| *side == Sign::Zero) {
         // On one great circle: c or d between a and b, or a between c and d.
-        let between = |p: &Vector, q: &Vector, x: &Vector| -> Option<bool> {
+        let between = |p: &Vector, q: &Vector, x: &Vector| -> bool {
             // x = λp + μq with λ, μ ≥ 0; for unit vectors, by products with the dual basis.
             let (pq, px, qx) = (dot(p, q), dot(p, x), dot(q, x));
             let parts = [&px - &(&pq * &qx), &qx - &(&pq * &px)];
-            Some(parts[0].sign()? != Sign::Negative && parts[1].sign()? != Sign::Negative)
+            parts.iter().all(|part| part.sign() != Sign::Negative)
         };
-        return Some(between(a, b, c)? || between(a, b, d)? || between(c, d, a)?);
+        return between(a, b, c) || between(a, b, d) || between(c, d, a);
     }
     let apart = |x: Sign, y: Sign| x == y && x != Sign::Zero;
     if apart(c_side, d_side) || apart(a_side, b_side) {
-        return Some(false);
+        return false;
     }
     // Where each arc meets the plane of the other: the same point, or its antipode?
     let [to_c, to_d, to_a, to_b] = sides.each_ref().map(absolute);
@@ -162,9 +158,9 @@ fn cross([a, b, c, d]: [&Vector; 4]) -> Option<bool> {
         std::array::from_fn(|k| &(&p[k] * of_p) + &(&q[k] * of_q))
     };
     let (first, second) = (meet(a, b, &to_b, &to_a), meet(c, d, &to_d, &to_c));
-    Some(dot(&first, &second).sign()? == Sign::Positive)
+    dot(&first, &second).sign() == Sign::Positive
 }
 
 fn absolute(value: &FieldElement) -> FieldElement {
-    if value.sign() == Some(Sign::Negative) { -value } else { value.clone() }
+    if value.sign() == Sign::Negative { -value } else { value.clone() }
 }

@@ -23,7 +23,7 @@ impl Spinor {
     /// for the half z < 0 in the same way (x − iy, 1 − z).
     pub fn of([x, y, z]: &Vector) -> Self {
         let one = x.field().one();
-        let south = z.sign() == Some(crate::algebra::Sign::Negative);
+        let south = z.sign() == crate::algebra::Sign::Negative;
         match south {
             false => Spinor([Complex::real(&one + z), Complex { re: x.clone(), im: y.clone() }]),
             true => Spinor([Complex { re: x.clone(), im: -y }, Complex::real(&one - z)]),

@@ -103,7 +103,7 @@ fn unit(field: MultiquadraticField, direction: [i64; 3]) -> Vector {
     let length: FieldElement = field.integer(square).square_root().expect("the field has this root");
     // √3 or −√3, as the root is found.
     let length = match length.sign() {
-        Some(crate::algebra::Sign::Negative) => -&length,
+        crate::algebra::Sign::Negative => -&length,
         _ => length,
     };
     let inverse = length.inverse().expect("a direction is not zero");

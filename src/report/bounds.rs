@@ -60,20 +60,32 @@ pub fn enclosure_details(statement: &Statement, enclosure: &Enclosure, degree: u
         text.push('\n');
     }
     let symbol = symbol(bounds.quantity, degree);
+    let [low_best, high_best] = enclosure.best;
     let [low_attained, high_attained] = enclosure.attained;
-    let ends = [("least", &bounds.lower, 1, low_attained), ("greatest", &bounds.upper, -1, high_attained)];
-    for (name, end, inwards, attained) in ends {
-        let [low, high] =
+    let ends = [
+        ("least", &bounds.lower, 1, low_attained, low_best),
+        ("greatest", &bounds.upper, -1, high_attained, high_best),
+    ];
+    for (name, end, inwards, attained, best) in ends {
+        let [outer, inner] =
             [end.bound.clone(), &end.bound + inwards].map(|units| decimal(&units, bounds.places));
-        let (low, high) = if inwards > 0 { (low, high) } else { (high, low) };
+        let (low, high) = if inwards > 0 { (&outer, &inner) } else { (&inner, &outer) };
         let name = format!("{name} {symbol}");
+        let [exact_u, exact_v] = &end.at;
         let [u, v] = end.at.each_ref().map(parameter);
-        let _ = match attained {
-            true => {
-                writeln!(text, "   {name:<14} {}, at (u, v) = ({u}, {v})", decimal(&end.bound, bounds.places))
+        let _ = match (attained, best) {
+            (true, _) => writeln!(text, "   {name:<14} {outer}, at (u, v) = ({exact_u}, {exact_v})"),
+            (false, true) => {
+                writeln!(text, "   {name:<14} between {low} and {high}, near (u, v) = ({u}, {v})")
             }
-            false => writeln!(text, "   {name:<14} between {low} and {high}, near (u, v) = ({u}, {v})"),
+            (false, false) => writeln!(
+                text,
+                "   {name:<14} between {low} and {high}; it is {inner} at (u, v) = ({exact_u}, {exact_v})"
+            ),
         };
+    }
+    if bounds.quantity == Quantity::Ratio {
+        let _ = writeln!(text, "   {}", no_distance(&symbol));
     }
     if bounds.quantity == Quantity::Radius {
         let [low, high] = squares(bounds);
@@ -89,6 +101,11 @@ pub fn enclosure_details(statement: &Statement, enclosure: &Enclosure, degree: u
         count(&bounds.upper.tree)
     );
     text
+}
+
+/// What the size of F/Wᵉ does not tell.
+fn no_distance(symbol: &str) -> String {
+    format!("{symbol} is no distance: its size depends on how F is scaled.")
 }
 
 /// A simple fraction as it is, another in six decimals (the certificate has it exactly).
@@ -163,7 +180,8 @@ pub fn enclosure_data(
     let point = |at: &[BigRational; 2]| json!([at[0].to_string(), at[1].to_string()]);
     let count = |tree: &[bool]| tree.iter().filter(|halved| !**halved).count();
     let net = evaluated(statement, &bounds.values).ok();
-    json!({
+    let [low_best, high_best] = enclosure.best;
+    let mut data = json!({
         "verdict": verdict,
         "name": name,
         "statement": statement_data(statement),
@@ -173,12 +191,16 @@ pub fn enclosure_data(
         "decimals": net.and_then(|net| decimals(statement, &net).ok()),
         "quantity": match bounds.quantity { Quantity::Radius => "radius", Quantity::Ratio => "ratio" },
         "places": bounds.places,
-        "lower": { "bound": spell_decimal(&bounds.lower.bound, bounds.places), "near": point(&bounds.lower.at) },
-        "upper": { "bound": spell_decimal(&bounds.upper.bound, bounds.places), "near": point(&bounds.upper.at) },
+        "lower": { "bound": spell_decimal(&bounds.lower.bound, bounds.places), "near": point(&bounds.lower.at), "best": low_best },
+        "upper": { "bound": spell_decimal(&bounds.upper.bound, bounds.places), "near": point(&bounds.upper.at), "best": high_best },
         "boxes": { "denominator": count(&bounds.denominator), "lower": count(&bounds.lower.tree), "upper": count(&bounds.upper.tree) },
         "theorem": enclosure.theorem.sentence(),
         "certificate": files.certificate.display().to_string(),
-    })
+    });
+    if let (Quantity::Ratio, Subject::Patch(patch)) = (bounds.quantity, statement.subject()) {
+        data["note"] = no_distance(&symbol(bounds.quantity, patch.surface.degree())).into();
+    }
+    data
 }
 
 /// The net at these values of the unknowns.

@@ -133,6 +133,11 @@ enum ReasonData {
         reached: Option<String>,
     },
     NoDenominator,
+    Limited {
+        limit: &'static str,
+        at_most: u64,
+        found: bool,
+    },
 }
 
 /// A statement as data.
@@ -255,6 +260,9 @@ fn step_data(statement: &Statement, step: &Step) -> StepData {
 fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
     Ok(match reason {
         Reason::NoDenominator => ReasonData::NoDenominator,
+        Reason::Limited { limit, found } => {
+            ReasonData::Limited { limit: limit.what, at_most: limit.at_most, found: *found }
+        }
         Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => {
             ReasonData::TooLarge { degree: *degree, rows: *rows, columns: *columns }
         }

@@ -17,6 +17,7 @@ const BASIS: usize = 16;
 pub(super) fn headline(reason: &Reason) -> &'static str {
     match reason {
         Reason::NoDenominator => "the only solution has no denominator",
+        Reason::Limited { .. } => "beyond the limits of the checker",
         Reason::Elimination(Undecided::Consistent(closure)) if closure.dimension > 0 => {
             "infinitely many complex zeros"
         }
@@ -35,6 +36,18 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
                 text,
                 "The equations have one common zero, at which the denominator W of the patch is the zero polynomial.\nThat is no patch; and since there is a zero, no certificate of impossibility exists."
             );
+        }
+        Reason::Limited { limit, found } => {
+            let _ = match found {
+                false => writeln!(
+                    text,
+                    "The independent checker could not derive the equations, whatever the argument: {limit}.\nNone was looked for."
+                ),
+                true => writeln!(
+                    text,
+                    "An argument was found, but the independent checker cannot follow it: {limit}.\nWhat it has not verified is not claimed."
+                ),
+            };
         }
         Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => {
             let _ = writeln!(

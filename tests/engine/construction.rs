@@ -174,7 +174,7 @@ fn an_edge_that_runs_the_longer_way_is_refused() {
     let turned = |Spinor([x, y]): &Spinor| pole.scaled(&Complex { re: x.re.clone(), im: -&y.re });
     let poles = edge.iter().map(turned).collect();
     let net = SpinorForm(vec![edge.to_vec(), poles]).image();
-    assert!(net.iter().flatten().all(|[.., weight]| weight.sign() == Some(Sign::Positive)));
+    assert!(net.iter().flatten().all(|[.., weight]| weight.sign() == Sign::Positive));
     let statement = Statement::read(&catalogue::net_statement("240 degrees", "", &net)).unwrap();
     let mut edges = arcs();
     edges[1] = EdgeTree::Point;

@@ -8,4 +8,5 @@ mod families;
 mod lifting;
 mod refutation;
 mod roots;
+mod scaling;
 mod systems;

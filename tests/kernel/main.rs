@@ -1,5 +1,6 @@
 //! The trusted part: what it accepts, what it refuses, and in what words.
 
+mod best;
 mod hostile;
 mod reject;
 mod theorem;

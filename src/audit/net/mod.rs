@@ -19,7 +19,7 @@ use crate::algebra::{FieldElement, polynomial_from_exact};
 use crate::elimination::Control;
 use crate::exact::Polynomial;
 use crate::expand::{Basis, coefficients};
-use crate::prove::{Attempt, ProveError, prove};
+use crate::prove::{Attempt, Reason, prove};
 use crate::statement::Statement;
 
 /// The surface of a net that names none: the unit sphere.
@@ -54,13 +54,14 @@ impl NetAudit {
         let count = all.len();
         let residual: Vec<_> =
             all.into_iter().filter(|c| !c.value.is_zero()).map(|c| (c.index.0, c.index.1, c.value)).collect();
-        let attempt = prove(&statement, control).map_err(|error| match error {
-            ProveError::TooLarge(limit) => AuditError::TooLarge(limit),
-            other => AuditError::Net(other.to_string()),
-        })?;
+        let attempt = prove(&statement, control).map_err(|error| AuditError::Net(error.to_string()))?;
         let agrees = match &attempt {
             Attempt::Proved { theorem, .. } => {
                 matches!(theorem.claim(), crate::checker::Claim::Exact(_)) && residual.is_empty()
+            }
+            // The coefficients are known, and the verdict on them, but not verified.
+            Attempt::Undecided(Reason::Limited { limit, .. }) if residual.is_empty() => {
+                return Err(AuditError::TooLarge(limit.clone().into()));
             }
             Attempt::Undecided(_) => false,
         };
@@ -83,7 +84,7 @@ impl NetAudit {
         let mut of_largest = size(&largest.2)?;
         for entry in &self.residual[1..] {
             let of_entry = size(&entry.2)?;
-            if (&of_entry - &of_largest).sign()? == crate::algebra::Sign::Positive {
+            if (&of_entry - &of_largest).sign() == crate::algebra::Sign::Positive {
                 (largest, of_largest) = (entry, of_entry);
             }
         }

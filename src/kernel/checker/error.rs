@@ -5,8 +5,8 @@ use std::fmt;
 use crate::claims::Rejection;
 use crate::exact::Limit;
 use crate::failure::{Failure, Place};
-use crate::statement::StatementError;
-use crate::text::CertificateError;
+use crate::statement::{StatementError, StatementFault};
+use crate::text::{CertificateError, CertificateFault};
 
 /// Why there is no theorem.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,6 +26,24 @@ pub enum CheckError {
     Defect(&'static str),
     /// The certificate does not prove its claim.
     Rejected(Rejection),
+}
+
+impl CheckError {
+    /// The limit that was reached, if that is what the error is: it says nothing of the claim.
+    pub fn limit(&self) -> Option<&Limit> {
+        match self {
+            CheckError::Limited { limit, .. } => Some(limit),
+            CheckError::Statement(error) => match &error.fault {
+                StatementFault::Limit(limit) => Some(limit),
+                _ => None,
+            },
+            CheckError::Certificate(error) => match &error.fault {
+                CertificateFault::Limit(limit) => Some(limit),
+                _ => None,
+            },
+            CheckError::Defect(_) | CheckError::Rejected(_) => None,
+        }
+    }
 }
 
 impl fmt::Display for CheckError {

@@ -3,12 +3,13 @@
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::One;
+use num_traits::{One, Signed, Zero};
 
 use super::{Bounded, Bounds, End, Rejection};
 use crate::claims::exact::evaluated;
 use crate::claims::subdivision::{
-    self, Along, NOT_NEGATIVE, POSITIVE, Side, UnitSquare, decimal_value, on_ratio, subject, threshold,
+    self, Along, NOT_NEGATIVE, POSITIVE, Quantity, Side, UnitSquare, decimal_value, on_ratio, subject,
+    threshold,
 };
 use crate::equations::expand;
 use crate::exact::Work;
@@ -23,7 +24,6 @@ pub(in crate::claims) fn verify(
 ) -> Result<Bounded, Failure<Rejection>> {
     let patch = subject(statement, bounds.quantity).map_err(Rejection::from)?;
     let at = Place::Values;
-    let of_boxes = |error: Failure<subdivision::Rejection>| error.map(Rejection::from);
     let net = evaluated(patch, &bounds.values, statement, work).at(at)?;
     let patch = Patch { net, ..patch.clone() };
     let field = statement.field();
@@ -35,35 +35,80 @@ pub(in crate::claims) fn verify(
     let along = Along { power: expanded.weight.power(degree, field, work).at(at)?, expanded, field };
 
     let weight = square.form(&along.expanded.weight, [m, n], work).at(at)?;
-    let boxes =
-        square.subdivide("denominator", weight, &bounds.denominator, POSITIVE, work).map_err(of_boxes)?;
-    let mut total = boxes;
-    let ends = [("lower", &bounds.lower, Side::Lower), ("upper", &bounds.upper, Side::Upper)];
-    for (name, End { bound, at: point, tree }, side) in ends {
-        let form = along
-            .side(side, threshold(bounds.quantity, bound, bounds.places).map_err(Rejection::from)?, work)
-            .at(at)?;
-        let form = square.form(&form, degrees, work).at(at)?;
-        total =
-            total.saturating_add(square.subdivide(name, form, tree, NOT_NEGATIVE, work).map_err(of_boxes)?);
-        // The next decimal towards the other end is reached: there the opposite inequality holds at the point.
-        let (next, opposite) = match side {
-            Side::Lower => (bound + BigInt::one(), Side::Upper),
-            _ => (bound - BigInt::one(), Side::Lower),
-        };
-        let value = decimal_value(&next, bounds.places);
-        let form = along.side(opposite, on_ratio(bounds.quantity, &value), work).at(at)?;
-        let form = square.form(&form, degrees, work).at(at)?;
-        if square.at(form, point, work).at(at)? == Ordering::Less {
-            return Err(Rejection::NotReached { end: name }.into());
-        }
-    }
+    let boxes = square.subdivide("denominator", weight, &bounds.denominator, POSITIVE, work);
+    let boxes = boxes.map_err(|error| error.map(Rejection::from))?;
+    let scene = Scene { bounds, along, square, degrees };
+    let lower = scene.holds("lower", Side::Lower, &bounds.lower, work)?;
+    let lower_is_best = scene.is_best("lower", Side::Lower, &bounds.lower, work)?;
+    let upper = scene.holds("upper", Side::Upper, &bounds.upper, work)?;
+    let upper_is_best = scene.is_best("upper", Side::Upper, &bounds.upper, work)?;
     Ok(Bounded {
         values: bounds.values.clone(),
         quantity: bounds.quantity,
         places: bounds.places,
         between: [bounds.lower.bound.clone(), bounds.upper.bound.clone()],
         at: [bounds.lower.at.clone(), bounds.upper.at.clone()],
-        boxes: total,
+        best: [lower_is_best, upper_is_best],
+        boxes: boxes.saturating_add(lower).saturating_add(upper),
     })
+}
+
+/// F, W and Wᵉ along the patch at the stated values.
+struct Scene<'a> {
+    bounds: &'a Bounds,
+    along: Along<'a>,
+    square: UnitSquare<'a>,
+    /// Of F and Wᵉ in u and v.
+    degrees: [u32; 2],
+}
+
+impl Scene<'_> {
+    /// That the bound holds on the whole square, shown on so many boxes.
+    fn holds(
+        &self,
+        name: &'static str,
+        side: Side,
+        end: &End,
+        work: &mut Work,
+    ) -> Result<usize, Failure<Rejection>> {
+        let Bounds { quantity, places, .. } = *self.bounds;
+        // No radius is negative: the bound 0 needs no boxes.
+        let vacuous = side == Side::Lower && quantity == Quantity::Radius && end.bound.is_zero();
+        if vacuous && end.tree.as_slice() == [false] {
+            return Ok(1);
+        }
+        let bound = threshold(quantity, &end.bound, places).map_err(Rejection::from)?;
+        let form = self.along.side(side, bound, work).at(Place::Values)?;
+        let form = self.square.form(&form, self.degrees, work).at(Place::Values)?;
+        let boxes = self.square.subdivide(name, form, &end.tree, NOT_NEGATIVE, work);
+        boxes.map_err(|error: Failure<subdivision::Rejection>| error.map(Rejection::from))
+    }
+
+    /// Whether the quantity at the stated point is strictly inside the next decimal, so that this is no bound; if it equals
+    /// that, the next decimal may be a bound, and no later one is.
+    fn is_best(
+        &self,
+        name: &'static str,
+        side: Side,
+        end: &End,
+        work: &mut Work,
+    ) -> Result<bool, Failure<Rejection>> {
+        let Bounds { quantity, places, .. } = *self.bounds;
+        let (next, opposite) = match side {
+            Side::Lower => (&end.bound + BigInt::one(), Side::Upper),
+            _ => (&end.bound - BigInt::one(), Side::Lower),
+        };
+        // No radius is negative: every one is inside.
+        if quantity == Quantity::Radius && next.is_negative() {
+            return Ok(true);
+        }
+        let value = on_ratio(quantity, &decimal_value(&next, places));
+        let form = self.along.side(opposite, value, work).at(Place::Values)?;
+        let form = self.square.form(&form, self.degrees, work).at(Place::Values)?;
+        match self.square.at(form, &end.at, work).at(Place::Values)? {
+            Ordering::Greater => Ok(true),
+            Ordering::Equal => Ok(false),
+            Ordering::Less => Err(Rejection::NotReached { end: name }.into()),
+        }
+    }
 }

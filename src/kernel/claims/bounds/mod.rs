@@ -26,7 +26,8 @@ pub struct End {
     pub tree: Tree,
 }
 
-/// At these values, W > 0 on the whole square and the quantity lies between two decimals, each the best of its length.
+/// At these values, W > 0 on the whole square and the quantity lies between two decimals, each the best of its length or
+/// next to it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Bounds {
     /// A constant of K for each unknown.
@@ -43,7 +44,8 @@ pub struct Bounds {
     pub upper: End,
 }
 
-/// At these values W > 0 on the whole square, and the quantity lies between the bounds, each the best decimal of its length.
+/// At these values W > 0 on the whole square, and the quantity lies between the bounds, each the best decimal of its length
+/// or next to it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Bounded {
     /// The value of each unknown, a constant of K.
@@ -56,6 +58,8 @@ pub struct Bounded {
     pub between: [Units; 2],
     /// Points (u, v) where they are approached to within a unit.
     pub at: [[BigRational; 2]; 2],
+    /// Whether each bound is the best with its places; if not, the quantity at its point is the next decimal exactly.
+    pub best: [bool; 2],
     /// Boxes of all subdivisions.
     pub boxes: usize,
 }
@@ -77,16 +81,44 @@ impl Bounded {
     }
 
     /// What was proved.
-    pub(super) fn sentence(&self, _: &Statement) -> String {
-        let Bounded { quantity, places, between, at, .. } = self;
+    pub(super) fn sentence(&self, statement: &Statement) -> String {
+        let Bounded { quantity, places, between, .. } = self;
         let [low, high] = between.each_ref().map(|bound| spell_decimal(bound, *places));
-        let [at_low, at_high] = at.each_ref().map(|[u, v]| format!("({u}, {v})"));
         format!(
-            "At the stated values the denominator W is positive on the whole square, and there \
-             {low} ≤ {} ≤ {high}. Both bounds are the best with {places} decimals: the quantity comes within one unit of \
-             the last place at (u, v) = {at_low} and {at_high}.",
-            quantity.name()
+            "At the stated values the denominator W is positive on the whole square, and there {low} ≤ {} ≤ {high}. {}",
+            quantity.name(statement),
+            self.how_good()
         )
+    }
+
+    /// How near the bounds are to the extremes.
+    fn how_good(&self) -> String {
+        let Bounded { places, at, best, .. } = self;
+        let [low, high] = at.each_ref().map(|[u, v]| format!("({u}, {v})"));
+        let within = "the quantity comes within one unit of the last place";
+        let apart = "the quantity is one unit of the last place";
+        match best {
+            [true, true] => format!(
+                "Both bounds are the best with {places} decimals: {within} at (u, v) = {low} and {high}."
+            ),
+            [false, false] => format!(
+                "Both bounds are the best with {places} decimals, or next to it: {apart} from them at (u, v) = {low} and \
+                 {high}."
+            ),
+            _ => {
+                let one = |end: &str, best: bool, point: &str| match best {
+                    true => format!(
+                        "The {end} bound is the best with {places} decimals: {within} of it at (u, v) = {point}."
+                    ),
+                    false => format!(
+                        "The {end} bound is the best with {places} decimals, or next to it: {apart} from it at (u, v) = \
+                         {point}."
+                    ),
+                };
+                let [of_low, of_high] = *best;
+                format!("{} {}", one("lower", of_low, &low), one("upper", of_high, &high))
+            }
+        }
     }
 
     /// Lines under the sentence.

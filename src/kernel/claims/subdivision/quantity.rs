@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::Rejection;
+use crate::statement::{Statement, Subject};
 
 /// What is bounded, along a patch with denominator W > 0 on a surface F = 0 of degree e.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,12 +17,22 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// As sentences name it.
-    pub(in crate::claims) fn name(self) -> &'static str {
-        match self {
-            Quantity::Radius => "√(x² + y² + z²)",
-            Quantity::Ratio => "F/W^e",
+    /// As sentences name it: `F/W²`.
+    pub(in crate::claims) fn name(self, statement: &Statement) -> String {
+        match (self, statement.subject()) {
+            (Quantity::Ratio, Subject::Patch(patch)) => format!("F/W{}", exponent(patch.surface.degree())),
+            _ => "√(x² + y² + z²)".to_owned(),
         }
+    }
+}
+
+/// A natural number as an exponent; nothing for 1.
+fn exponent(number: u32) -> String {
+    let raised =
+        |digit: char| "0123456789".chars().zip("⁰¹²³⁴⁵⁶⁷⁸⁹".chars()).find(|(plain, _)| *plain == digit);
+    match number {
+        1 => String::new(),
+        _ => number.to_string().chars().filter_map(raised).map(|(_, up)| up).collect(),
     }
 }
 

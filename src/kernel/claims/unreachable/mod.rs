@@ -101,7 +101,7 @@ impl Excluded {
             "For no real values of {} is the denominator W positive on the whole square and {low} < {} < {high} \
              everywhere on it.",
             statement.unknowns().join(", "),
-            self.quantity.name()
+            self.quantity.name(statement)
         )
     }
 
