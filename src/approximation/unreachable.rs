@@ -103,7 +103,10 @@ pub fn exclude(
     let argument =
         Unreachable { quantity, places, lower, upper, products, range: BigInt::from(RANGE), samples, charts };
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Unreachable(argument) };
-    let theorem = check_read(statement, &certificate).map_err(UnreachableError::Refused)?;
+    let theorem = check_read(statement, &certificate).map_err(|error| match error.limit() {
+        Some(limit) => UnreachableError::Limit(limit.clone()),
+        None => UnreachableError::Refused(error),
+    })?;
     Ok(Barrier { boxes, certificate, theorem })
 }
 
