@@ -185,7 +185,7 @@ fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<O
             Err(error) => match NoAnswer::from(error) {
                 // Another solution may be shorter.
                 NoAnswer::Limit(reached) => limit = limit.or(Some(reached)),
-                error => return Err(error),
+                error @ NoAnswer::Error(_) => return Err(error),
             },
         }
     }

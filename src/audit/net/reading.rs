@@ -144,10 +144,10 @@ fn within(
 
 /// |x|, if its sign can be found.
 pub(super) fn absolute(x: &FieldElement) -> Option<FieldElement> {
-    Some(if x.sign()? == Sign::Negative { -x } else { x.clone() })
+    Some(if x.sign() == Sign::Negative { -x } else { x.clone() })
 }
 
 /// Whether a > b; where that cannot be found, it is taken to be so.
 fn exceeds(a: &FieldElement, b: &FieldElement) -> bool {
-    !matches!((a - b).sign(), Some(Sign::Negative | Sign::Zero))
+    !matches!((a - b).sign(), Sign::Negative | Sign::Zero)
 }
