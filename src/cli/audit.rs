@@ -146,8 +146,8 @@ fn audit_net(mut net: PrintedNet, options: &AuditOptions, format: Format) -> Res
             "--statement, --name and --label are for listings of formulas; this is a net".to_owned(),
         ));
     }
-    if let Some(surface) = &options.surface {
-        net.surface.clone_from(surface);
+    if options.surface.is_some() {
+        net.surface.clone_from(&options.surface);
     }
     let audit = match under_control(&options.limits, |control| NetAudit::of(&net, control))? {
         Ok(audit) => audit,

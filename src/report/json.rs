@@ -25,6 +25,9 @@ pub struct StatementData {
     bidegree: Option<(u32, u32)>,
     #[serde(skip_serializing_if = "Option::is_none")]
     surface: Option<String>,
+    /// Whether the file names it; otherwise it is the unit sphere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    surface_named: Option<bool>,
     /// Homogeneous points, premultiplied: `net[i]`[j] = [X, Y, Z, W].
     #[serde(skip_serializing_if = "Option::is_none")]
     net: Option<Vec<Vec<[String; 4]>>>,
@@ -143,6 +146,7 @@ pub fn statement(statement: &Statement) -> StatementData {
         nonzero: statement.nonzero().iter().map(spell).collect(),
         bidegree: patch.map(|patch| patch.bidegree),
         surface: patch.map(|patch| statement.coordinate_ring().spell(&patch.surface)),
+        surface_named: patch.map(|_| statement.names_surface()),
         net: patch.map(|patch| net(statement, &patch.net)),
         polynomials,
     }

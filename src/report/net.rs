@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::headline::{surface_equation, surface_phrase};
 use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
 use crate::audit::decimal;
@@ -20,12 +21,13 @@ const SHOWN: usize = 12;
 pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit> {
     let notation = Notation::new(Ring { field: net.field.clone(), variables: Vec::new() });
     let (m, n) = net.bidegree();
+    let surface = surface_phrase(&audit.statement);
     let mut text = String::new();
     let _ = match audit.agrees {
-        true => writeln!(text, "AGREES  the net lies on the surface: verified by the independent checker\n"),
+        true => writeln!(text, "AGREES  the net lies on {surface}: verified by the independent checker\n"),
         false => writeln!(
             text,
-            "DIFFERS  the net does not lie on the surface: {} of {} coefficients c[r,s] are not zero\n",
+            "DIFFERS  the net does not lie on {surface}: {} of {} coefficients c[r,s] are not zero\n",
             audit.residual.len(),
             audit.coefficients
         ),
@@ -36,10 +38,7 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
         Convention::Homogeneous => "homogeneous points, premultiplied",
     };
     let _ = writeln!(text, "         bidegree ({m},{n}), {given}, over {}", net.field);
-    let surface = Notation::new(audit.statement.coordinate_ring());
-    if let crate::statement::Subject::Patch(patch) = audit.statement.subject() {
-        let _ = writeln!(text, "Surface  {} = 0", surface.polynomial(&patch.surface));
-    }
+    let _ = writeln!(text, "Surface  {}", surface_equation(&audit.statement));
     if audit.residual.is_empty() {
         return Ok(text);
     }

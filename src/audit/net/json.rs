@@ -5,8 +5,8 @@
 
 use serde_json::Value;
 
+use super::AuditError;
 use super::printed::{Convention, PrintedNet};
-use super::{AuditError, UNIT_SPHERE};
 use crate::exact::{Polynomial, Radicands, Work, limits};
 use crate::listing::{Expression, Scope};
 
@@ -63,7 +63,7 @@ pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
         points.push(read);
     }
     check_shape(&points).map_err(|why| wrong("net", &why))?;
-    let surface = document["surface"].as_str().unwrap_or(UNIT_SPHERE).to_owned();
+    let surface = document["surface"].as_str().map(str::to_owned);
     let title = document["title"].as_str().unwrap_or("A printed net").to_owned();
     Ok(PrintedNet { title, field, convention, surface, points })
 }

@@ -18,9 +18,6 @@ use crate::expand::{Basis, coefficients};
 use crate::prove::{Attempt, ProveError, prove};
 use crate::statement::Statement;
 
-/// The surface of a net that names none: the unit sphere.
-pub const UNIT_SPHERE: &str = "X^2 + Y^2 + Z^2 - W^2";
-
 /// What an audit of a net found.
 #[derive(Debug, Clone)]
 pub struct NetAudit {
