@@ -162,7 +162,7 @@ fn json_that_is_no_net_is_refused() {
         ),
         (
             "{\"convention\": \"cartesian\", \"radicands\": [4], \"net\": []}".to_owned(),
-            "radicands: radicand 4 is not a squarefree prime; for √6 list the primes 2 and 3",
+            "radicands: radicand 4 is not a prime; for √6 list the primes 2 and 3",
         ),
     ] {
         assert_eq!(json_error(&text), complaint, "{text}");

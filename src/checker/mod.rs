@@ -2,7 +2,9 @@
 //!
 //! It derives the equations from the statement itself, by substitution into the surface polynomial, and
 //! multiplies out what the certificate says. It knows no monomial order, no division and no elimination,
-//! and shares no code with the prover.
+//! and uses nothing of the prover. (The prover uses it: both read statements and certificates with the
+//! same readers and know the trusted numbers and polynomials, and the prover's reports evaluate the checker's
+//! equations; what is found is found with arithmetic and an expansion of the prover's own.)
 
 // No rejecting check is an assertion, and no machine arithmetic wraps: see ARCHITECTURE.md, "The trusted part".
 #![deny(
@@ -23,10 +25,12 @@ mod net;
 mod replay;
 mod subdivision;
 mod theorem;
+mod wording;
 
 pub use equations::Equations;
 pub use error::{CheckError, Rejection};
 pub use theorem::{Claim, Theorem};
+pub use wording::written;
 
 use crate::certificate::{Argument, Certificate};
 use crate::exact::{Polynomial, Work};

@@ -4,9 +4,10 @@ use std::fmt;
 
 use num_rational::BigRational;
 
+use super::wording;
 use crate::certificate::{Quantity, Units, spell_decimal};
 use crate::exact::Polynomial;
-use crate::statement::{HomogeneousPoint, Statement, Subject};
+use crate::statement::{HomogeneousPoint, Patch, Statement, Subject};
 
 /// A proved claim about a statement. Only a completed replay constructs one.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -57,7 +58,7 @@ pub enum Claim {
         boxes: usize,
     },
     /// At these values the patch lies on the unit sphere, W > 0 on the whole square, and the square is mapped one to one
-    /// and regularly onto the convex spherical polygon between its corners.
+    /// and regularly onto the convex spherical polygon between its corners, but for an edge that is a point.
     Cover {
         /// The value of each unknown, a constant of K.
         values: Vec<Polynomial>,
@@ -110,96 +111,177 @@ impl Theorem {
         }
     }
 
-    /// What was proved, as sentences.
+    /// What was proved, as sentences. `docs/trust.md` says which check makes each of them true.
     pub fn sentence(&self) -> String {
-        let field = self.statement.field();
-        let ring = self.statement.ring();
-        let assumed: Vec<String> = self
-            .statement
-            .nonzero()
-            .iter()
-            .map(|polynomial| format!("{} ≠ 0", ring.spell(polynomial)))
-            .collect();
-        let assuming =
-            if assumed.is_empty() { String::new() } else { format!(" with {}", assumed.join(", ")) };
-        match (self.statement.subject(), &self.claim) {
-            (Subject::Patch(patch), Claim::Impossible { .. }) => {
-                let degree = patch.surface.degree();
-                let (m, n) = patch.bidegree;
-                let count = count_coefficients(m.saturating_mul(degree), n.saturating_mul(degree));
-                let surface = self.statement.coordinate_ring().spell(&patch.surface);
-                let patch = format!("this rational Bézier patch of bidegree ({m},{n})");
-                let fails = match self.statement.unknowns() {
-                    [] => format!("{patch} does not lie").replacen("this", "This", 1),
-                    [one] => format!("For no value of {one}{assuming}, real or complex, does {patch} lie"),
-                    many => {
-                        let many = many.join(", ");
-                        format!("For no values of {many}{assuming}, real or complex, does {patch} lie")
-                    }
-                };
-                format!(
-                    "{fails} on the surface {surface} = 0: its {count} coefficients c[r,s] have no common zero \
-                     over any field containing {field}{assuming}."
-                )
+        let statement = &self.statement;
+        match (statement.subject(), &self.claim) {
+            (Subject::Patch(patch), Claim::Impossible { .. }) => patch_impossible(statement, patch),
+            (Subject::System(polynomials), Claim::Impossible { .. }) => {
+                system_impossible(statement, polynomials.len())
             }
-            (Subject::System(polynomials), Claim::Impossible { .. }) => format!(
-                "The system of {} polynomial{} has no zero{assuming} over any field containing {field}.",
-                polynomials.len(),
-                if polynomials.len() == 1 { "" } else { "s" }
-            ),
-            (_, Claim::Exact { values, weights_positive, .. }) => {
-                let at = if values.is_empty() { "As it stands" } else { "At the stated values" };
-                let defined = if *weights_positive {
-                    "Every weight is positive, so the patch is defined on the whole square."
-                } else {
-                    "Not every weight is positive; that the denominator vanishes nowhere on the square is not claimed."
-                };
-                format!(
-                    "{at} every point of the patch whose denominator is not zero lies on the surface. {defined}"
-                )
+            (Subject::Patch(patch), Claim::Exact { weights_positive, .. }) => {
+                exact(statement, patch, *weights_positive)
             }
-            (_, Claim::Solution { .. }) => {
-                format!("The stated values in {field} solve the system{assuming}.")
+            // There is no other patch; nothing else is exact.
+            (Subject::System(_), Claim::Exact { .. }) | (_, Claim::Solution { .. }) => solution(statement),
+            (_, Claim::Bounds { quantity, places, between, at, .. }) => {
+                bounds(statement, *quantity, *places, between, at)
             }
-            (_, Claim::Bounds { quantity, places, between: [low, high], at, .. }) => {
-                let [low, high] = [low, high].map(|bound| spell_decimal(bound, *places));
-                let [at_low, at_high] = at.each_ref().map(|[u, v]| format!("({u}, {v})"));
-                format!(
-                    "At the stated values the denominator W is positive on the whole square, and there \
-                     {low} ≤ {} ≤ {high}. Both bounds are the best with {places} decimals: the quantity comes within one unit of \
-                     the last place at (u, v) = {at_low} and {at_high}.",
-                    name_of(*quantity)
-                )
-            }
-            (_, Claim::Cover { values, point, .. }) => {
-                let at = if values.is_empty() { "As it stands" } else { "At the stated values" };
-                let (polygon, regular) = match point {
-                    None => ("quadrilateral", String::new()),
-                    Some(edge) => ("triangle", format!(", but for the edge {edge}, which is a single point")),
-                };
-                format!(
-                    "{at} the patch lies on the unit sphere, its denominator W is positive on the whole square, and it maps \
-                     the square one to one and regularly onto the convex spherical {polygon} between its corners, whose \
-                     sides are the shorter arcs of great circles{regular}."
-                )
-            }
-            (_, Claim::Unreachable { quantity, places, between: [low, high], .. }) => {
-                let [low, high] = [low, high].map(|bound| spell_decimal(bound, *places));
-                format!(
-                    "For no real values of {} is the denominator W positive on the whole square and {low} < {} < {high} \
-                     everywhere on it.",
-                    self.statement.unknowns().join(", "),
-                    name_of(*quantity)
-                )
+            (_, Claim::Cover { point, .. }) => cover(statement, *point),
+            (_, Claim::Unreachable { quantity, places, between, .. }) => {
+                unreachable(statement, *quantity, *places, between)
             }
         }
     }
 }
 
-fn name_of(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Radius => "√(x² + y² + z²)",
-        Quantity::Ratio => "F/W^e",
+fn patch_impossible(statement: &Statement, patch: &Patch) -> String {
+    let degree = patch.surface.degree();
+    let (m, n) = patch.bidegree;
+    let count = count_coefficients(m.saturating_mul(degree), n.saturating_mul(degree));
+    let surface = wording::surface(statement, patch);
+    let with = with_assumptions(statement);
+    let patch = format!("rational Bézier patch of bidegree ({m},{n})");
+    let values = match statement.unknowns() {
+        [] => {
+            return format!(
+                "This {patch} does not lie on {surface}: its {count} coefficients c[r,s] are not all zero."
+            );
+        }
+        [one] => format!("For no value of {one}"),
+        many => format!("For no values of {}", many.join(", ")),
+    };
+    format!(
+        "{values}{with}, real or complex, does this {patch} lie on {surface}: its {count} coefficients c[r,s] have \
+         no common zero over any field containing {}{with}.",
+        statement.field()
+    )
+}
+
+fn system_impossible(statement: &Statement, polynomials: usize) -> String {
+    if statement.unknowns().is_empty() {
+        return "The polynomials of the system, all constants, are not all zero.".to_owned();
+    }
+    format!(
+        "The system of {polynomials} polynomial{} has no zero{} over any field containing {}.",
+        if polynomials == 1 { "" } else { "s" },
+        with_assumptions(statement),
+        statement.field()
+    )
+}
+
+fn exact(statement: &Statement, patch: &Patch, weights_positive: bool) -> String {
+    let defined = if weights_positive {
+        "Every weight is positive, so the patch is defined on the whole square."
+    } else {
+        "Not every weight is positive; that the denominator vanishes nowhere on the square is not claimed."
+    };
+    format!(
+        "{}{} every point of the patch whose denominator is not zero lies on {}. {defined}",
+        wording::at_values(statement),
+        where_assumptions(statement),
+        wording::surface(statement, patch)
+    )
+}
+
+fn solution(statement: &Statement) -> String {
+    if statement.unknowns().is_empty() {
+        return "Every polynomial of the system is zero.".to_owned();
+    }
+    let also =
+        wording::assumptions(statement).map_or_else(String::new, |assumed| format!(", with {assumed}"));
+    format!("The stated values in {} solve the system{also}.", statement.field())
+}
+
+fn bounds(
+    statement: &Statement,
+    quantity: Quantity,
+    places: u32,
+    between: &[Units; 2],
+    at: &[[BigRational; 2]; 2],
+) -> String {
+    let [low, high] = between.each_ref().map(|bound| decimal(bound, places));
+    let [at_low, at_high] = at.each_ref().map(|[u, v]| format!("({u}, {v})"));
+    let unchecked = wording::assumptions(statement)
+        .map_or_else(String::new, |assumed| format!(" That {assumed} at these values is not checked."));
+    format!(
+        "{} the denominator W is positive on the whole square, and there {low} ≤ {} ≤ {high}{}. Both bounds are \
+         the best with {places} decimals: the quantity comes within one unit of the last place at (u, v) = {at_low} and \
+         {at_high}.{unchecked}",
+        wording::at_values(statement),
+        name_of(statement, quantity),
+        meaning_of(statement, quantity)
+    )
+}
+
+fn cover(statement: &Statement, point: Option<&str>) -> String {
+    let image = match point {
+        None => {
+            "it maps the square one to one and regularly onto the convex spherical quadrilateral between its \
+                 corners, whose sides are the shorter arcs of great circles"
+                .to_owned()
+        }
+        Some(edge) => format!(
+            "it maps the square onto the convex spherical triangle between its corners, whose sides are the shorter \
+             arcs of great circles: the edge {} to one corner, and all else one to one and regularly onto the rest",
+            edge.replace('=', " = ")
+        ),
+    };
+    format!(
+        "{}{} the patch lies on the unit sphere, its denominator W is positive on the whole square, and {image}.",
+        wording::at_values(statement),
+        where_assumptions(statement)
+    )
+}
+
+fn unreachable(statement: &Statement, quantity: Quantity, places: u32, between: &[Units; 2]) -> String {
+    let [low, high] = between.each_ref().map(|bound| decimal(bound, places));
+    // No assumption is made use of.
+    let whether = wording::assumptions(statement)
+        .map_or_else(String::new, |assumed| format!(", whether {assumed} or not,"));
+    let values = match statement.unknowns() {
+        [] => "It is not so that".to_owned(),
+        [one] => format!("For no real value of {one}{whether} is"),
+        many => format!("For no real values of {}{whether} is", many.join(", ")),
+    };
+    let is = if statement.unknowns().is_empty() { " is" } else { "" };
+    format!(
+        "{values} the denominator W{is} positive on the whole square and {low} < {} < {high} everywhere on it{}.",
+        name_of(statement, quantity),
+        meaning_of(statement, quantity)
+    )
+}
+
+/// ` with d ≠ 0`, or nothing.
+fn with_assumptions(statement: &Statement) -> String {
+    wording::assumptions(statement).map_or_else(String::new, |assumed| format!(" with {assumed}"))
+}
+
+/// `, where d ≠ 0,`, or nothing.
+fn where_assumptions(statement: &Statement) -> String {
+    wording::assumptions(statement).map_or_else(String::new, |assumed| format!(", where {assumed},"))
+}
+
+fn decimal(units: &Units, places: u32) -> String {
+    wording::mathematics(&spell_decimal(units, places))
+}
+
+fn name_of(statement: &Statement, quantity: Quantity) -> String {
+    match (quantity, statement.subject()) {
+        (Quantity::Ratio, Subject::Patch(patch)) => {
+            format!("F/W{}", wording::exponent(patch.surface.degree()))
+        }
+        _ => "√(x² + y² + z²)".to_owned(),
+    }
+}
+
+/// What F is; nothing for a radius.
+fn meaning_of(statement: &Statement, quantity: Quantity) -> String {
+    match (quantity, statement.subject()) {
+        (Quantity::Ratio, Subject::Patch(patch)) => {
+            format!(", for F = {}", wording::written(&statement.coordinate_ring(), &patch.surface))
+        }
+        _ => String::new(),
     }
 }
 

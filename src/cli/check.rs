@@ -5,9 +5,9 @@ use std::io::Read;
 use std::path::Path;
 
 use super::outcome::{Failure, Outcome, Status};
-use crate::checker::{CheckError, Claim, Theorem, check};
+use crate::checker::{CheckError, Claim, Theorem, check, written};
 use crate::exact::{Polynomial, Work, limits};
-use crate::statement::Statement;
+use crate::statement::{Statement, Subject};
 
 /// Reads a file, but not more than one byte beyond its limit.
 pub(super) fn read_limited(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
@@ -61,10 +61,17 @@ fn verified(theorem: &Theorem) -> String {
     lines.push(String::new());
     lines.push(format!("title      {} (not checked)", statement.title()));
     lines.push(format!("statement  sha256 {}", statement.hash()));
+    if matches!(statement.subject(), Subject::Patch(_)) && !statement.names_surface() {
+        lines.push("surface    the file names none: the unit sphere".to_owned());
+    }
     match theorem.claim() {
         Claim::Impossible { steps, multiplier_terms } => {
-            lines
-                .push(format!("replayed   {steps} steps with {multiplier_terms} terms in their multipliers"));
+            let plural = |count: &usize| if *count == 1 { "" } else { "s" };
+            lines.push(format!(
+                "replayed   {steps} step{}, {multiplier_terms} term{} in the multipliers",
+                plural(steps),
+                plural(multiplier_terms)
+            ));
         }
         Claim::Bounds { values, boxes, .. } => {
             lines.push(format!("replayed   {boxes} boxes"));
@@ -76,8 +83,8 @@ fn verified(theorem: &Theorem) -> String {
             lines.extend(spelled(statement, values));
             let ring = statement.ring();
             for (at, corner) in ["(0,0)", "(1,0)", "(1,1)", "(0,1)"].iter().zip(corners) {
-                let corner = corner.each_ref().map(|x| ring.spell(x)).join(", ");
-                lines.push(format!("corner     {at} -> ({corner})"));
+                let corner = corner.each_ref().map(|x| written(&ring, x)).join(", ");
+                lines.push(format!("corner     {at} → ({corner})"));
             }
         }
         Claim::Unreachable { boxes, .. } => lines.push(format!("replayed   {boxes} boxes")),
@@ -91,5 +98,5 @@ fn verified(theorem: &Theorem) -> String {
 fn spelled(statement: &Statement, values: &[Polynomial]) -> Vec<String> {
     let ring = statement.ring();
     let pairs = statement.unknowns().iter().zip(values);
-    pairs.map(|(name, value)| format!("value      {name} = {}", ring.spell(value))).collect()
+    pairs.map(|(name, value)| format!("value      {name} = {}", written(&ring, value))).collect()
 }

@@ -2,7 +2,6 @@
 
 use super::mathematics::Notation;
 use crate::checker::{Claim, Theorem};
-use crate::exact::{Monomial, Polynomial};
 use crate::statement::{Statement, Subject};
 
 /// Characters of a surface in a first line; a longer one is cut there, and stands in full below.
@@ -18,7 +17,7 @@ const DEFAULT: &str = "(the file names none: the unit sphere)";
 pub fn surface_phrase(statement: &Statement) -> String {
     let Subject::Patch(patch) = statement.subject() else { return String::new() };
     let equation = Notation::new(statement.coordinate_ring()).shortened(&patch.surface, SURFACE);
-    match (statement.names_surface(), is_unit_sphere(&patch.surface)) {
+    match (statement.names_surface(), patch.is_on_unit_sphere()) {
         (true, true) => format!("the unit sphere {equation} = 0"),
         (true, false) => format!("the surface {equation} = 0"),
         (false, _) => format!("the surface {equation} = 0 {DEFAULT}"),
@@ -31,16 +30,6 @@ pub fn surface_equation(statement: &Statement) -> String {
     let equation = Notation::new(statement.coordinate_ring()).polynomial(&patch.surface);
     let default = if statement.names_surface() { String::new() } else { format!(" {DEFAULT}") };
     format!("{equation} = 0{default}")
-}
-
-/// X² + Y² + Z² − W², and no multiple of it.
-fn is_unit_sphere(surface: &Polynomial) -> bool {
-    let square = |k: u16| Monomial::new(0, vec![(k, 2)]).and_then(Result::ok);
-    let terms: Vec<(Monomial, num_rational::BigRational)> = (0u16..4)
-        .filter_map(|k| Some((square(k)?, if k == 3 { -1 } else { 1 })))
-        .map(|(monomial, sign)| (monomial, num_rational::BigRational::from_integer(sign.into())))
-        .collect();
-    *surface == Polynomial::from_terms(terms)
 }
 
 /// `PROVED  NAME: …` or `EXACT  NAME: …`. `source` is what the user called the statement on the command line.
@@ -89,7 +78,7 @@ fn how_far(statement: &Statement, source: &str) -> String {
         false => format!("'{}'", source.replace('\'', r"'\''")),
     };
     let Subject::Patch(patch) = statement.subject() else { return String::new() };
-    match is_unit_sphere(&patch.surface) {
+    match patch.is_on_unit_sphere() {
         true => format!("how far: `prove-cap bound {quoted}`"),
         false => format!(
             "how large F/W{} is on it: `prove-cap bound {quoted}`",

@@ -24,7 +24,9 @@ mod expression;
 mod patch;
 mod source;
 
-use crate::exact::{Polynomial, Radicands, Ring};
+use num_rational::BigRational;
+
+use crate::exact::{Monomial, Polynomial, Radicands, Ring};
 
 pub use error::{StatementError, StatementFault};
 pub use source::Place;
@@ -64,6 +66,17 @@ pub struct Patch {
     pub surface: Polynomial,
     /// m + 1 rows of n + 1 points: `net[i][j]` belongs to Bᵢᵐ(u)·Bⱼⁿ(v).
     pub net: Vec<Vec<HomogeneousPoint>>,
+}
+
+impl Patch {
+    /// Whether the surface is the unit sphere, X² + Y² + Z² − W² = 0.
+    pub fn is_on_unit_sphere(&self) -> bool {
+        let square = |k: u16| Monomial::new(0, vec![(k, 2)]).and_then(Result::ok);
+        let signs = (0u16..).zip([1, 1, 1, -1]);
+        let squares =
+            signs.filter_map(|(k, sign)| Some((square(k)?, BigRational::from_integer(sign.into()))));
+        self.surface == Polynomial::from_terms(squares)
+    }
 }
 
 impl Statement {

@@ -12,7 +12,7 @@ use crate::checker::equations::{Expanded, expand};
 use crate::checker::error::{CheckError, Rejection};
 use crate::checker::net::evaluated;
 use crate::checker::theorem::{Claim, Theorem};
-use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work, combination};
+use crate::exact::{Limit, Polynomial, Radicands, Work, combination};
 use crate::statement::{Patch, Statement, Subject};
 
 pub(in crate::checker) fn verify(
@@ -70,12 +70,7 @@ pub(super) fn subject(statement: &Statement, quantity: Quantity) -> Result<&Patc
     let Subject::Patch(patch) = statement.subject() else {
         return Err(Rejection::NotAPatch);
     };
-    let squares = (0u16..4).map(|k| {
-        let monomial = Monomial::new(0, vec![(k, 2)]).and_then(Result::ok).unwrap_or_else(Monomial::one);
-        (monomial, if k == 3 { -BigRational::one() } else { BigRational::one() })
-    });
-    let sphere = Polynomial::from_terms(squares);
-    match quantity == Quantity::Radius && patch.surface != sphere {
+    match quantity == Quantity::Radius && !patch.is_on_unit_sphere() {
         true => Err(Rejection::NotTheUnitSphere),
         false => Ok(patch),
     }
