@@ -1,5 +1,8 @@
 //! Whether a net covers the polygon between its corners: the certificate, and what the checker makes of it.
 
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
 use crate::algebra::{FieldElement, Integer, Polynomial};
 use crate::approximation::{NoTree, positive_tree};
 use crate::bezier::BernsteinForm;
@@ -17,11 +20,11 @@ const BOXES: usize = 4_000;
 #[non_exhaustive]
 pub enum CoverError {
     /// Not positive, as far as the subdivision went.
-    #[error("{what} is not positive on the whole square{place}")]
+    #[error("{what} is not shown to be positive on the whole square{place}")]
     NotPositive {
         /// Of what.
         what: &'static str,
-        /// Where it is not.
+        /// Where it does not look so.
         place: String,
     },
     /// Interrupted.
@@ -84,7 +87,10 @@ fn positive(
         NoTree::Interrupted(why) => CoverError::Interrupted(why),
         NoTree::TooMany => CoverError::NotPositive { what, place: format!(", as far as {BOXES} boxes show") },
         NoTree::Negative { corner: (u, v), depths: (i, j) } => {
-            let place = format!(": see (u, v) = ({u}/2^{i}, {v}/2^{j})");
+            // In lowest terms: 0, 1/2, 3/4.
+            let [u, v] = [(u, i), (v, j)]
+                .map(|(numerator, depth)| BigRational::new(numerator.to_bigint(), BigInt::from(1) << depth));
+            let place = format!(": see (u, v) = ({u}, {v})");
             CoverError::NotPositive { what, place }
         }
     })
