@@ -102,7 +102,8 @@ enum Command {
 pub(super) enum Format {
     /// For people.
     Text,
-    /// As data; polynomials and numbers are strings in the canonical spelling.
+    /// As data: polynomials and elements of the field are strings in the canonical spelling of certificates, proved bounds
+    /// are decimals in quotes.
     Json,
     /// As a LaTeX document (audit only).
     Latex,
@@ -147,7 +148,15 @@ pub fn run() -> Result<Outcome, Failure> {
             Format::Text | Format::Latex => check::run(&statement, &certificate),
             Format::Json => check_as_data(&statement, &certificate),
         },
-        Some(Command::Canonical { statement }) => check::canonical(&statement),
+        Some(Command::Canonical { statement }) => {
+            let canonical = check::canonical(&statement)?;
+            match format {
+                Format::Text | Format::Latex => Ok(canonical),
+                Format::Json => {
+                    to_json(&serde_json::json!({ "canonical": canonical.text })).map(Outcome::plain)
+                }
+            }
+        }
         Some(Command::Expand { source, basis }) => {
             let basis = match basis {
                 BasisName::Bernstein => Basis::Bernstein,

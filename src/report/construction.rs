@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::attempt::{Files, wrapped_at};
 use super::degrees::{ON_PAPER, reason};
 use super::mathematics::Notation;
-use crate::algebra::{FieldElement, Polynomial as Computed, polynomial_to_exact, spell};
+use crate::algebra::{FieldElement, Polynomial as Computed, polynomial_to_exact};
 use crate::audit::decimal;
 use crate::checker::{Claim, Theorem};
 use crate::construction::{Cell, Construction, How, Tiled};
@@ -202,23 +202,20 @@ pub fn impossible_text(name: &str, polygon: &Polygon, (m, n): (u32, u32), cell: 
 
 /// `construct` as data.
 pub fn constructed_data(name: &str, made: &Construction, files: &[Files]) -> Value {
-    let net: Vec<Vec<Vec<String>>> = made
-        .net
-        .iter()
-        .map(|row| row.iter().map(|point| point.iter().map(spell).collect()).collect())
-        .collect();
+    // One spelling for one number: the net is that of the statement.
+    let statement = json!(super::json::statement(&made.statement));
     let theorem = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem);
     json!({
         "verdict": "EXACT",
         "name": name,
         "bidegree": (made.net.len() - 1, made.net[0].len() - 1),
         "convention": "homogeneous",
-        "net": net,
+        "net": statement["net"],
         "covers": made.cover.is_ok(),
         "reason": made.cover.as_ref().err().map(ToString::to_string),
         "theorem": theorem.sentence(),
         "files": files.iter().map(|files| files.certificate.display().to_string()).collect::<Vec<_>>(),
-        "statement": super::json::statement(&made.statement),
+        "statement": statement,
     })
 }
 

@@ -99,7 +99,8 @@ fn values_of(unknowns: &[String]) -> String {
 /// ` with d ≠ 0`, or nothing.
 fn assuming(statement: &Statement) -> String {
     let notation = Notation::new(statement.ring());
-    let all = statement.nonzero();
+    // Of constants there is nothing to assume: the reader has refused 0.
+    let all: Vec<_> = statement.nonzero().iter().filter(|polynomial| !polynomial.is_constant()).collect();
     let assumed: Vec<String> =
         all.iter().map(|polynomial| format!("{} ≠ 0", notation.polynomial(polynomial))).collect();
     let text = assumed.join(", ");

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use num_bigint::BigInt;
+use num_rational::BigRational;
 use serde::Serialize;
 
 use super::headline::{surface_equation, surface_phrase};
@@ -9,10 +11,12 @@ use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
 use crate::audit::decimal;
 use crate::audit::net::{Convention, NetAudit, NetChange, NetCorrection, PrintedNet};
-use crate::exact::{Limit, Polynomial, Ring};
+use crate::exact::{Limit, Polynomial, Radicands, Ring};
 
 /// Coefficients and corrections that are printed.
 const SHOWN: usize = 12;
+/// Digits after the point.
+const DIGITS: u32 = 20;
 
 /// `prove-cap audit` of a net, for people.
 ///
@@ -50,13 +54,25 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
         let _ = writeln!(text, "   … and {} more", audit.residual.len() - SHOWN);
     }
     if let Some((r, s, value)) = audit.largest() {
-        let _ = writeln!(text, "   The largest is c[{r},{s}] = {}…", decimal(value, 20, &net.field)?);
+        let _ = writeln!(
+            text,
+            "   None is larger in absolute value than c[{r},{s}] = {}",
+            shown_decimal(value, &net.field)?
+        );
+    }
+    if let Some((r, s, value)) = audit.largest_in_other_convention(net) {
+        let _ = writeln!(
+            text,
+            "   With the whole net {}, none would be larger than c[{r},{s}] = {}",
+            convention_text(net.convention.other()),
+            shown_decimal(&value, &net.field)?
+        );
     }
     text.push('\n');
     let _ = match audit.corrections.len() {
         0 => writeln!(
             text,
-            "No change of a single number, and no change of convention, puts the net on the surface."
+            "No change of a single number that puts the net exactly on the surface was found; nor does the other convention."
         ),
         1 => writeln!(text, "One single change puts the net on the surface:"),
         many => writeln!(text, "{many} single changes put the net on the surface, each alone:"),
@@ -64,17 +80,33 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
     for correction in audit.corrections.iter().take(SHOWN) {
         let _ = writeln!(text, "   {}", correction_text(net, &notation, correction));
     }
+    if audit.corrections.len() > SHOWN {
+        let _ = writeln!(text, "   … and {} more", audit.corrections.len() - SHOWN);
+    }
     Ok(text)
+}
+
+/// The decimal, if it ends within some digits; otherwise those digits and `…`.
+fn shown_decimal(value: &Polynomial, field: &Radicands) -> Result<String, Limit> {
+    let digits = decimal(value, DIGITS, field)?;
+    let unit = BigRational::from_integer(BigInt::from(10).pow(DIGITS));
+    Ok(match value.as_rational().is_some_and(|value| (value * unit).is_integer()) {
+        true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => format!("{digits}…"),
+    })
+}
+
+fn convention_text(convention: Convention) -> &'static str {
+    match convention {
+        Convention::Cartesian => "Cartesian, not premultiplied by the weight",
+        Convention::Homogeneous => "premultiplied by the weight",
+    }
 }
 
 fn correction_text(net: &PrintedNet, notation: &Notation, correction: &NetCorrection) -> String {
     let place = match correction.point {
         Some((i, j)) => format!("point (i,j) = ({i},{j})"),
         None => "the whole net".to_owned(),
-    };
-    let given = |convention: Convention| match convention {
-        Convention::Cartesian => "Cartesian, not premultiplied by the weight",
-        Convention::Homogeneous => "premultiplied by the weight",
     };
     match &correction.change {
         NetChange::Entry { coordinate, printed, right } => {
@@ -96,7 +128,7 @@ fn correction_text(net: &PrintedNet, notation: &Notation, correction: &NetCorrec
                 notation.polynomial(factor)
             )
         }
-        NetChange::Convention { meant } => format!("{place} is {}", given(*meant)),
+        NetChange::Convention { meant } => format!("{place} is {}", convention_text(*meant)),
     }
 }
 
