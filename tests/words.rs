@@ -362,6 +362,31 @@ fn a_rounded_net_in_the_wrong_convention_is_not_called_beyond_help() {
     assert!(!text.contains("With the whole net"), "{text}");
 }
 
+/// A value for each product is not yet a value for each unknown.
+#[test]
+fn the_only_solution_is_the_only_one() {
+    let judged = |polynomials: &str, formula: &str, variables: &str, solution: &str| {
+        let folder = TempDir::new().unwrap();
+        let system = format!(
+            "title = \"t\"\nradicands = []\nunknowns = [\"w\", \"z\"]\npolynomials = [{polynomials}]\n"
+        );
+        fs::write(folder.path().join("system.toml"), system).unwrap();
+        let listing = format!(
+            "title = \"t\"\nstatement = \"system.toml\"\nnotation = \"plain\"\nformulas = '{formula}'\n[[claim]]\nwhere = \"1\"\n\
+             says = \"it has one solution\"\nsolve = [\"f1\"]\nvariables = [{variables}]\nsolution = {solution}\n"
+        );
+        fs::write(folder.path().join("it.toml"), listing).unwrap();
+        run(&folder, &["audit", "it.toml"]).1
+    };
+    let text = judged("\"w - 2\"", "f1 = w - 2", "\"w\"", "{ w = \"2\", z = \"0\" }");
+    assert!(text.contains("HOLDS") && text.contains("the only solution has w = 2\n"), "{text}");
+    let text = judged("\"w^2 - 4\"", "f1 = w^2 - 4", "\"w^2\"", "{ w = \"2\", z = \"0\" }");
+    assert!(text.contains("FAILS") && text.contains("they hold if and only if w² = 4\n"), "{text}");
+    assert!(text.contains("which is also so with w = −2\n"), "{text}");
+    let text = judged("\"w*z - 4\"", "f1 = w*z - 4", "\"w*z\"", "{ w = \"2\", z = \"2\" }");
+    assert!(text.contains("NOT CHECKED") && !text.contains("the only solution"), "{text}");
+}
+
 /// Every check and every test that the page names exists.
 #[test]
 fn the_page_of_trust_names_what_there_is() {

@@ -63,7 +63,11 @@ pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
         points.push(read);
     }
     check_shape(&points).map_err(|why| wrong("net", &why))?;
-    let surface = document["surface"].as_str().map(str::to_owned);
+    let surface = match &document["surface"] {
+        Value::Null => None,
+        Value::String(surface) => Some(surface.clone()),
+        _ => return Err(wrong("surface", "expected a polynomial in X, Y, Z, W in quotes")),
+    };
     let title = document["title"].as_str().unwrap_or("A printed net").to_owned();
     Ok(PrintedNet { title, field, convention, surface, points })
 }
