@@ -97,8 +97,8 @@ pub fn enclose(
     within_limits(statement, values, quantity, places)?;
     let scene = Scene::of(statement, values)?;
     let denominator = positive(&scene.weight, BOXES, control).map_err(|why| match why {
-        NoTree::Fails { at, zero } => EnclosureError::Denominator { at: Box::new(at), zero, vanishes: !zero },
-        NoTree::Near(near) => EnclosureError::NearZero(Box::new(near)),
+        NoTree::Fails { at, zero } => EnclosureError::Denominator { at, zero, vanishes: !zero },
+        NoTree::Near(near) => EnclosureError::NearZero(near),
         NoTree::TooMany => EnclosureError::TooFine(BOXES),
         NoTree::Interrupted(why) => EnclosureError::Interrupted(why),
     })?;

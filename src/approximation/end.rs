@@ -159,7 +159,6 @@ impl Search<'_> {
     }
 
     /// The tree that shows a bound; without one, a point nearby.
-    #[expect(clippy::type_complexity, reason = "a result of a result: an interruption is no lack of a tree")]
     fn tree(
         &self,
         bound: &Units,
@@ -180,7 +179,7 @@ impl Search<'_> {
         match tree(&form, bits, Shown::NotNegative, at_most, self.control) {
             Ok(grown) => Ok(Ok(grown.tree)),
             Err(NoTree::Interrupted(why)) => Err(EnclosureError::Interrupted(why)),
-            Err(NoTree::Fails { at, .. } | NoTree::Near(at)) => Ok(Err(Some(at))),
+            Err(NoTree::Fails { at, .. } | NoTree::Near(at)) => Ok(Err(Some(*at))),
             Err(NoTree::TooMany) => Ok(Err(None)),
         }
     }

@@ -16,12 +16,12 @@ pub enum NoTree {
     /// At this point (u, v) the form does not have the sign, exactly.
     Fails {
         /// The point.
-        at: [BigRational; 2],
+        at: Box<[BigRational; 2]>,
         /// Whether it is 0 there.
         zero: bool,
     },
     /// Around this point it comes so near to 0 that no box shows the sign.
-    Near([BigRational; 2]),
+    Near(Box<[BigRational; 2]>),
     /// The boxes became too many.
     TooMany,
     /// Interrupted.
@@ -107,7 +107,7 @@ fn shows(
     for (corner, &place) in corners.iter().enumerate() {
         let found = certain(&rounded.values[place]).map_or_else(|| form.on_box(part, place), Some);
         if fails(found) {
-            return Err(NoTree::Fails { at: part.place(corner), zero: found.is_none() });
+            return Err(NoTree::Fails { at: Box::new(part.place(corner)), zero: found.is_none() });
         }
     }
     for value in &rounded.values {
@@ -124,7 +124,8 @@ fn shows(
         if fails(form.on_box(part, place)) {
             let [low, high] = [part.place(0), part.place(3)];
             let two = BigRational::from_integer(2.into());
-            return Err(NoTree::Near(std::array::from_fn(|axis| (&low[axis] + &high[axis]) / &two)));
+            let middle = std::array::from_fn(|axis| (&low[axis] + &high[axis]) / &two);
+            return Err(NoTree::Near(Box::new(middle)));
         }
     }
     Ok(true)
@@ -147,7 +148,7 @@ pub(super) fn positive(form: &ExactForm, at_most: usize, control: &Control<'_>) 
                     control.check().map_err(NoTree::Interrupted)?;
                     match magnitude(&form.at(&point)) {
                         Some(Magnitude { negative: false, .. }) => {}
-                        found => return Err(NoTree::Fails { at: point, zero: found.is_none() }),
+                        found => return Err(NoTree::Fails { at: Box::new(point), zero: found.is_none() }),
                     }
                 }
                 nowhere = NoTree::Near(near);

@@ -39,6 +39,13 @@ impl Phrase {
         self
     }
 
+    /// Then another phrase.
+    #[must_use]
+    pub fn followed_by(mut self, other: Phrase) -> Self {
+        self.0.extend(other.0);
+        self
+    }
+
     /// Then a factor.
     #[must_use]
     pub fn factor(mut self, polynomial: &Polynomial) -> Self {

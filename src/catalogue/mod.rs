@@ -47,7 +47,7 @@ pub const ENTRIES: &[Entry] = &[
     free("cap-2x2-centre", "biquadratic, centre anywhere (without the paper's Eq. 9)", 2, 2, Symmetry::None),
     Entry {
         name: "cap-2x2-weights",
-        summary: "biquadratic, centre and corner weights free: every biquadratic patch of this cap",
+        summary: "biquadratic, centre and corner weights free: every biquadratic patch with these edges, W ≠ 0 there",
         kind: Kind::Cap(Cap {
             bidegree: (2, 2),
             interior: Interior::Free(Symmetry::None),

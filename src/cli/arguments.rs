@@ -22,8 +22,8 @@ const DEFAULT: &str = "cap-2x2";
 /// Can this rational Bézier patch lie exactly on that surface, for any values of its unknowns?
 ///
 /// Answers PROVED (impossible, with a certificate), EXACT (with a control net) or UNDECIDED. Without a command it
-/// proves the paper's theorem, cap-2x2: no biquadratic rational patch represents the spherical cap over one face of
-/// the inscribed cube.
+/// proves the paper's theorem, cap-2x2: no biquadratic rational patch with the paper's edges, and its centre on the axis,
+/// represents the spherical cap over one face of the inscribed cube.
 #[derive(Debug, Parser)]
 #[command(version, max_term_width = 110, args_conflicts_with_subcommands = true)]
 #[command(
@@ -81,7 +81,7 @@ enum Command {
     },
     /// Hold a printed coefficient listing, or a printed control net, against the truth.
     Audit(AuditOptions),
-    /// Enclose the radius over the whole patch, with a proof, at given values of the unknowns.
+    /// Enclose the radius (of another surface F/Wᵉ) over the whole patch, with a proof, at given values of the unknowns.
     Bound(BoundOptions),
     /// Find the best values of the unknowns, and enclose the radius there, with a proof.
     Approximate(ApproximateOptions),
@@ -102,7 +102,8 @@ enum Command {
 pub(super) enum Format {
     /// For people.
     Text,
-    /// As data; polynomials and numbers are strings in the canonical spelling.
+    /// As data: polynomials and elements of the field are strings in the canonical spelling of certificates, proved bounds
+    /// are decimals in quotes.
     Json,
     /// As a LaTeX document (audit only).
     Latex,
@@ -147,7 +148,15 @@ pub fn run() -> Result<Outcome, Failure> {
             Format::Text | Format::Latex => check::check(&statement, &certificate),
             Format::Json => check_as_data(&statement, &certificate),
         },
-        Some(Command::Canonical { statement }) => check::canonical(&statement),
+        Some(Command::Canonical { statement }) => {
+            let canonical = check::canonical(&statement)?;
+            match format {
+                Format::Text | Format::Latex => Ok(canonical),
+                Format::Json => {
+                    to_json(&serde_json::json!({ "canonical": canonical.text })).map(Outcome::plain)
+                }
+            }
+        }
         Some(Command::Expand { source, basis }) => {
             let basis = match basis {
                 BasisName::Bernstein => Basis::Bernstein,

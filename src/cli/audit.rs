@@ -166,7 +166,8 @@ fn audit_net(mut net: PrintedNet, options: &AuditOptions, format: Format) -> Res
     if let Some(surface) = &options.surface {
         let ring = Ring { field: net.field.clone(), variables: COORDINATES.map(String::from).to_vec() };
         let surface = in_statement_language(surface, &ring);
-        net.surface = surface.map_err(|error| Failure(format!("--surface: {}", error.fault)))?.into_owned();
+        let surface = surface.map_err(|error| Failure(format!("--surface: {}", error.fault)))?;
+        net.surface = Some(surface.into_owned());
     }
     let audit = match under_control(&options.limits, |control| NetAudit::of(&net, control))? {
         Ok(audit) => audit,

@@ -15,6 +15,7 @@ use crate::approximation::{EnclosureError, EndVerdict, Finding, enclose, judge};
 use crate::report::bounds::{
     checked_text, enclosure_data, enclosure_details, enclosure_text, symbol, verdict_data, verdict_text,
 };
+use crate::report::surface_equation;
 use crate::statement::{Statement, Subject};
 
 #[derive(Debug, Args)]
@@ -71,18 +72,19 @@ pub(super) fn run(options: &BoundOptions, format: Format) -> Result<Outcome, Fai
         return Ok(Outcome { text: to_json(&data)?, status });
     }
     let enclosed = enclosure_text(&enclosure.bounds, degree);
+    let surface = format!("Surface: {}", surface_equation(statement));
     let mut text = match (&verdicts, &options.claim) {
         (Some(verdicts), Some([low, high])) => {
             let holds = if word == "AGREES" { "holds" } else { "does not hold" };
             let holds = if word == "UNDECIDED" { "is not decided" } else { holds };
             let symbol = symbol(enclosure.bounds.quantity, degree);
             format!(
-                "{word}  {}: the printed interval [{low}, {high}] {holds}\n\n{}\nProved: {enclosed} on the whole patch\n",
+                "{word}  {}: the printed interval [{low}, {high}] {holds}\n{surface}\n\n{}\nProved: {enclosed} on the whole patch\n",
                 source.name,
                 verdict_text(verdicts, &symbol)
             )
         }
-        _ => format!("{word}  {}: {enclosed} on the whole patch\n", source.name),
+        _ => format!("{word}  {}: {enclosed} on the whole patch\n{surface}\n", source.name),
     };
     text += &format!("\n{}\n\n", statement.title());
     text += &enclosure_details(statement, &enclosure, degree);

@@ -27,7 +27,7 @@ pub(super) struct ConstructOptions {
     /// The number that is free at the centre of the patch with the symmetry of the square, from bidegree (4,4) on [default: 1].
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     centre: Option<String>,
-    /// Cover the whole sphere by images of the polygon, and prove that neighbours meet point for point.
+    /// Cover the whole sphere by images of the polygon, and compute exactly whether neighbours meet point for point.
     #[arg(long, conflicts_with_all = ["corners", "centre"])]
     tiling: bool,
     /// Where statement.toml and the certificates are written [default: proofs/construct-POLYGON-MxN].

@@ -164,7 +164,7 @@ fn search(source: &Source, limits: &Limits) -> Result<Result<Certificate, Outcom
         Attempt::Proved { certificate, .. } => Ok(certificate),
         Attempt::Undecided(_) => Err(Outcome {
             text: format!(
-                "UNDECIDED  {}: there is no proof to export; `prove-cap prove` says what was found\n",
+                "UNDECIDED  {}: no proof was found to be exported; `prove-cap prove` says what was found instead\n",
                 source.name
             ),
             status: Status::Undecided,

@@ -28,8 +28,8 @@ pub(super) fn run(
     };
     let text = match format {
         Format::Text | Format::Latex => {
-            describe(&source.name, &source.statement, source.cap, &attempt, files.as_ref())
-                .map_err(Failure::of)?
+            let named = (source.name.as_str(), &*name_or_file.to_string_lossy());
+            describe(named, &source.statement, source.cap, &attempt, files.as_ref()).map_err(Failure::of)?
         }
         Format::Json => {
             let data = json::attempt(&source.name, &source.statement, &attempt, files.as_ref())

@@ -109,7 +109,7 @@ fn positive(
     positive_tree(bidegree, values, BOXES, control).map_err(|why| match why {
         NoTree::Interrupted(why) => CoverError::Interrupted(why),
         NoTree::TooMany | NoTree::Near(_) => CoverError::NotShown { what },
-        NoTree::Fails { at, zero } => CoverError::NotPositive { what, at: Box::new(at), zero },
+        NoTree::Fails { at, zero } => CoverError::NotPositive { what, at, zero },
     })
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::checker::{self, CheckError, Place, Theorem};
 use crate::exact::{Work, limits};
 use crate::outcome::{Failure, Outcome, Status};
-use crate::statement::Statement;
+use crate::statement::{Statement, Subject};
 
 /// Reads a file, but not more than one byte beyond its limit.
 pub fn read_limited(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
@@ -63,6 +63,9 @@ fn verified(theorem: &Theorem) -> String {
     lines.push(String::new());
     lines.push(format!("title      {} (not checked)", statement.title()));
     lines.push(format!("statement  sha256 {}", statement.hash()));
+    if matches!(statement.subject(), Subject::Patch(_)) && !statement.names_surface() {
+        lines.push("surface    the file names none: the unit sphere".to_owned());
+    }
     lines.extend(theorem.details());
     lines.push(String::new());
     lines.join("\n")

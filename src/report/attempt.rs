@@ -3,13 +3,14 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
+use super::headline::{headline as proved, surface_equation};
 use super::refutation::refutation;
 use super::solution::solution;
 use super::undecided::{headline, reason_text};
 use crate::checker::Claim;
 use crate::exact::Limit;
 use crate::prove::Attempt;
-use crate::statement::{Statement, Subject};
+use crate::statement::Statement;
 
 /// Characters of a formula on one line.
 pub(super) const LINE: usize = 110;
@@ -23,12 +24,13 @@ pub struct Files {
     pub certificate: PathBuf,
 }
 
-/// `prove-cap prove` for people. `cap` tells that the patch is bounded by the arcs over the cube face.
+/// `prove-cap prove` for people. `source` is what the statement was called on the command line; `cap` tells that the patch
+/// is bounded by the arcs over the cube face.
 ///
 /// # Errors
 /// Where a coefficient exceeds what the formats allow.
 pub fn describe(
-    name: &str,
+    (name, source): (&str, &str),
     statement: &Statement,
     cap: bool,
     attempt: &Attempt,
@@ -38,36 +40,19 @@ pub fn describe(
     match attempt {
         Attempt::Undecided(reason) => {
             let _ = writeln!(text, "UNDECIDED  {name}: {}\n", headline(reason));
-            let _ = writeln!(text, "{}\n", statement.title());
+            let surface = surface_equation(statement);
+            let surface = if surface.is_empty() { surface } else { format!("Surface: {surface}\n") };
+            let _ = writeln!(text, "{}\n{surface}", statement.title());
             text += &reason_text(statement, reason)?;
         }
-        Attempt::Proved { certificate, theorem } => match theorem.claim() {
-            Claim::Impossible(_) => {
-                let subject = match statement.subject() {
-                    Subject::Patch(_) => "no such patch lies on the surface",
-                    Subject::System(_) => "no common zero",
-                };
-                let _ = writeln!(text, "PROVED  {name}: {subject}, for any values of the unknowns\n");
-                let _ = writeln!(text, "{}\n", statement.title());
-                text += &refutation(statement, cap, certificate)?;
-            }
-            Claim::Exact(_) | Claim::Solution(_) => {
-                let _ = writeln!(
-                    text,
-                    "EXACT  {name}: {}\n",
-                    match theorem.claim() {
-                        Claim::Exact(_) => "this patch lies on the surface",
-                        _ => "the system has this solution",
-                    }
-                );
-                let _ = writeln!(text, "{}\n", statement.title());
-                text += &solution(statement, theorem);
-            }
-            // Elimination proves nothing of this kind; what it is would be said like this.
-            Claim::Bounds(_) | Claim::Unreachable(_) | Claim::Cover(_) => {
-                let _ = writeln!(text, "PROVED  {name}: {}\n", theorem.kind());
-            }
-        },
+        Attempt::Proved { certificate, theorem } => {
+            let _ = writeln!(text, "{}\n", proved(name, source, theorem));
+            let _ = writeln!(text, "{}\n", statement.title());
+            text += &match theorem.claim() {
+                Claim::Impossible(_) => refutation(statement, cap, certificate)?,
+                _ => solution(statement, theorem),
+            };
+        }
     }
     if let (Attempt::Proved { theorem, .. }, Some(files)) = (attempt, files) {
         let _ = writeln!(

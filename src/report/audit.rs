@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::attempt::{LINE, wrapped_at};
 use super::expansion::superscript_of;
+use super::headline::surface_equation;
 use super::mathematics::Notation;
 use crate::audit::{
     Audit, Change, ClaimVerdict, Correction, Finding, Judgement, Phrase, Piece, Relation, Target,
@@ -18,7 +19,12 @@ pub fn describe_audit(listing: &Listing, name: &str, statement: &Statement, audi
     let mut text = format!("{}\n\n", headline(audit));
     let source = if listing.source.is_empty() { String::new() } else { format!("{} of ", listing.source) };
     let _ = writeln!(text, "Listing       {source}{}", listing.title);
-    let _ = writeln!(text, "Held against  {name}: {}\n", statement.title());
+    let _ = writeln!(text, "Held against  {name}: {}", statement.title());
+    let surface = surface_equation(statement);
+    if !surface.is_empty() {
+        let _ = writeln!(text, "Surface       {surface}");
+    }
+    text.push('\n');
     text += &table(&notation, audit);
     for finding in audit.findings.iter().filter(|finding| !finding.agrees()) {
         text.push('\n');

@@ -6,10 +6,11 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::attempt::{Files, wrapped_at};
-use super::degrees::reason;
+use super::degrees::{ON_PAPER, reason};
 use super::mathematics::Notation;
 use crate::algebra::{FieldElement, Polynomial as Computed, polynomial_to_exact};
 use crate::audit::decimal;
+use crate::checker::{Claim, Covered, Theorem};
 use crate::construction::{Cell, Construction, How, Tiled};
 use crate::exact::{Limit, Radicands, Ring};
 use crate::geometry::{Point, Polygon, Split};
@@ -70,13 +71,14 @@ pub fn constructed_text(
     let (m, n) = (made.net.len() - 1, made.net[0].len() - 1);
     let mut text = String::new();
     let _ = match &made.cover {
-        Ok(_) => writeln!(
+        Ok((_, theorem)) => writeln!(
             text,
-            "EXACT  {name}: a patch of bidegree ({m},{n}) covers the polygon, once and regularly\n"
+            "EXACT  {name}: a patch of bidegree ({m},{n}) on the unit sphere covers the polygon{}\n",
+            how_covered(theorem)
         ),
         Err(why) => writeln!(
             text,
-            "EXACT  {name}: a patch of bidegree ({m},{n}) lies on the sphere; that it covers the polygon is not shown\n       {why}\n"
+            "EXACT  {name}: a patch of bidegree ({m},{n}) lies on the unit sphere; that it covers the polygon is not shown\n       {why}\n"
         ),
     };
     let _ = writeln!(text, "Corners, in the order of the boundary\n{}", corners_text(polygon));
@@ -109,6 +111,16 @@ pub fn constructed_text(
         let _ = writeln!(text, "Certificate  {}", files.certificate.display());
     }
     Ok(text)
+}
+
+/// `, once and regularly`, as far as the checker has verified it: at an edge that is a point no map is regular.
+pub(super) fn how_covered(theorem: &Theorem) -> String {
+    match theorem.claim() {
+        Claim::Cover(Covered { point: Some(edge), .. }) => {
+            format!(" once, and regularly but for the edge {}, which is one corner", edge.replace('=', " = "))
+        }
+        _ => ", once and regularly".to_owned(),
+    }
 }
 
 /// How many characters stand before the point.
@@ -183,8 +195,9 @@ fn how_text(polygon: &Polygon, how: &How) -> String {
 /// `construct` where there is no patch.
 pub fn impossible_text(name: &str, polygon: &Polygon, (m, n): (u32, u32), cell: Cell) -> String {
     format!(
-        "PROVED  {name}: no patch of bidegree ({m},{n}) covers the polygon exactly\n\n{}\n",
-        reason(polygon, (m, n), cell)
+        "PROVED  {name}: no patch of bidegree ({m},{n}) on the unit sphere covers the polygon exactly\n\n{}\n\n{}\n",
+        reason(polygon, (m, n), cell),
+        wrapped_at(ON_PAPER, 3)
     )
 }
 
@@ -214,10 +227,23 @@ pub fn tiled_text(name: &str, (m, n): (u32, u32), tiled: &Tiled, whole: bool, di
     let meets = tiled.seams.iter().filter(|seam| seam.meets).count();
     let covers = tiled.faces.iter().filter(|face| face.cover.is_ok()).count();
     let count = tiled.faces.len();
-    let verdict = if whole { "EXACT  " } else { "UNDECIDED  " };
+    let verdict = match whole {
+        true => format!("EXACT  {name}: {count} patches of bidegree ({m},{n}) cover the unit sphere"),
+        false => format!(
+            "UNDECIDED  {name}: that {count} patches of bidegree ({m},{n}) cover the unit sphere is not shown"
+        ),
+    };
+    let degenerate =
+        |theorem: &Theorem| matches!(theorem.claim(), Claim::Cover(Covered { point: Some(_), .. }));
+    let points = tiled
+        .faces
+        .iter()
+        .filter_map(|face| face.cover.as_ref().ok())
+        .any(|(_, theorem)| degenerate(theorem));
+    let regularly = if points { "regularly but for an edge that is one corner" } else { "regularly" };
     format!(
-        "{verdict}{name}: {count} patches of bidegree ({m},{n}) cover the sphere\n\n   \
-         {covers} of {count} cover their polygons, once and regularly (verified by the independent checker)\n   \
+        "{verdict}\n\n   \
+         {covers} of {count} cover their polygons, once and {regularly} (verified by the independent checker)\n   \
          {meets} of {} edges are met by both neighbours point for point, at the same parameter or the reversed one\n   \
          (computed exactly: all 2×2 minors of the two curves' coordinates vanish identically)\n\n\
          Statements and certificates  {}\n",

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::attempt::{Files, wrapped_at};
-use super::construction::{Numbers, corners_text};
+use super::construction::{Numbers, corners_text, how_covered};
 use crate::construction::{Cell, Construction, Phase, classify, triple_products};
 use crate::geometry::{Complex, Polygon};
 
@@ -18,6 +18,10 @@ pub struct Backing {
     pub nets: Vec<((u32, u32), Construction, Vec<Files>)>,
 }
 
+/// What stands behind the lemmas.
+pub(super) const ON_PAPER: &str = "The lemmas, with their hypotheses and proofs, are in proofs/STRUCTURE.md: mathematics on paper, which no program has \
+     checked.";
+
 /// `degrees`.
 pub fn degrees_text(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing) -> String {
     let phase = Phase::of(polygon);
@@ -27,7 +31,10 @@ pub fn degrees_text(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing
         Phase::Reversed => "min(m,n) ≥ 2 and max(m,n) ≥ 4; from (2,2) on with an edge the longer way round",
         Phase::None | Phase::Absorbed => "min(m,n) ≥ 2",
     };
-    let _ = writeln!(text, "PROVED  {name}: bidegree (m,n) is exact if and only if {condition}\n");
+    let _ = writeln!(
+        text,
+        "PROVED  {name}: on the unit sphere bidegree (m,n) is exact if and only if {condition}\n"
+    );
     let _ = writeln!(text, "Corners, in the order of the boundary\n{}", corners_text(polygon));
     text += &holonomy_text(polygon);
     text.push('\n');
@@ -48,16 +55,16 @@ pub fn degrees_text(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing
     for (mark, meaning) in [
         ("·", "impossible: no surface (parity)"),
         ("×", "impossible: the phase does not close (parity and holonomy; certificate below)"),
-        ("~", "edges in their great circles, but not all of them the shorter arcs (net below)"),
-        ("E", "exact: constructed, and verified by the independent checker (net below)"),
+        ("~", "edges in their great circles, but no net with all of them the shorter arcs (net below)"),
+        ("E", "exact: constructed (net below, with what the independent checker has verified of it)"),
         ("e", "exact: a net above or to the left of it, with its degrees raised"),
     ] {
         if all.iter().any(|at| symbol(classify(phase, *at), *at) == mark) {
             let _ = writeln!(text, "   {mark}  {meaning}");
         }
     }
-    text +=
-        "\nThe argument for a cell: --explain M N. The lemmas with their proofs: proofs/STRUCTURE.md.\n\n";
+    text += "\nThe argument for a cell: --explain M N. The lemmas, with their hypotheses and proofs, are in proofs/STRUCTURE.md:\n\
+             mathematics on paper. The independent checker has verified the files that are named here.\n\n";
     if let Some(files) = &backing.closing {
         let _ = writeln!(
             text,
@@ -66,15 +73,15 @@ pub fn degrees_text(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing
         );
     }
     for ((m, n), made, files) in &backing.nets {
-        let kind = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem).kind();
+        let theorem = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem);
         let last = files.last().map_or_else(String::new, |files| files.certificate.display().to_string());
         let _ = writeln!(
             text,
             "   {} ({m},{n})  {}: VERIFIED  {last}",
             symbol(classify(phase, (*m, *n)), (*m, *n)),
-            match kind {
-                "cover" => "covers the polygon, once and regularly",
-                _ => "lies on the sphere",
+            match theorem.kind() {
+                "cover" => format!("covers the polygon{}", how_covered(theorem)),
+                _ => "lies on the sphere".to_owned(),
             }
         );
     }
@@ -122,7 +129,11 @@ pub fn explain(name: &str, polygon: &Polygon, bidegree: (u32, u32)) -> String {
         Cell::LongerWay => "no exact patch with all edges the shorter arcs",
         Cell::Exact(_) => "exact patches",
     };
-    format!("PROVED  {name}: bidegree ({m},{n}) has {verdict}\n\n{}\n", reason(polygon, bidegree, cell))
+    format!(
+        "PROVED  {name}: on the unit sphere bidegree ({m},{n}) has {verdict}\n\n{}\n\n{}\n",
+        reason(polygon, bidegree, cell),
+        wrapped_at(ON_PAPER, 3)
+    )
 }
 
 /// The argument for one cell.

@@ -31,6 +31,9 @@ pub struct StatementData {
     /// How the points of `net` are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     convention: Option<&'static str>,
+    /// Whether the file names it; otherwise it is the unit sphere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    surface_named: Option<bool>,
     /// Homogeneous points, premultiplied: `net[i]`[j] = [X, Y, Z, W].
     #[serde(skip_serializing_if = "Option::is_none")]
     net: Option<Vec<Vec<[String; 4]>>>,
@@ -157,6 +160,7 @@ pub fn statement(statement: &Statement) -> StatementData {
         bidegree: patch.map(|patch| patch.bidegree),
         surface: patch.map(|patch| statement.coordinate_ring().spell(&patch.surface)),
         convention: patch.map(|_| CONVENTION),
+        surface_named: patch.map(|_| statement.names_surface()),
         net: patch.map(|patch| net(statement, &patch.net)),
         polynomials,
     }

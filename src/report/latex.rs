@@ -14,7 +14,7 @@ use super::mathematics::{Notation, collected};
 use crate::audit::{Audit, Finding, Phrase, Piece, Target};
 use crate::exact::{Polynomial, Ring};
 use crate::listing::Listing;
-use crate::statement::Statement;
+use crate::statement::{Statement, Subject};
 
 /// Power products on one line of a display.
 const TERMS: usize = 4;
@@ -31,6 +31,11 @@ pub fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit
     let _ = writeln!(text, "\\section*{{Audit of {}}}", prose(&format!("{source}{}", listing.title)));
     let _ = writeln!(text, "\\textbf{{{}}}\n", prose(&headline(audit)));
     let _ = writeln!(text, "Held against \\texttt{{{}}}: {}.\n", prose(name), prose(statement.title()));
+    if let Subject::Patch(patch) = statement.subject() {
+        let surface = formula(&statement.coordinate_ring(), &patch.surface);
+        let default = if statement.names_surface() { "" } else { " (the file names none: the unit sphere)" };
+        let _ = writeln!(text, "Surface: \\({surface} = 0\\){default}.\n");
+    }
     text += "\\subsection*{The true coefficients}\n\\begin{align*}\n";
     let rows = audit
         .findings

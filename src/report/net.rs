@@ -2,9 +2,12 @@
 
 use std::fmt::Write as _;
 
+use num_bigint::BigInt;
+use num_rational::BigRational;
 use serde::Serialize;
 
 use super::attempt::wrapped_at;
+use super::headline::{surface_equation, surface_phrase};
 use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
 use crate::audit::decimal;
@@ -13,6 +16,8 @@ use crate::exact::{Limit, Polynomial, Radicands, Ring};
 
 /// Coefficients and corrections that are printed.
 const SHOWN: usize = 12;
+/// Digits after the point.
+const DIGITS: u32 = 20;
 
 /// `prove-cap audit` of a net, for people.
 ///
@@ -21,12 +26,13 @@ const SHOWN: usize = 12;
 pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit> {
     let notation = Notation::new(Ring { field: net.field.clone(), variables: Vec::new() });
     let (m, n) = net.bidegree();
+    let surface = surface_phrase(&audit.statement);
     let mut text = String::new();
     let _ = match audit.agrees {
-        true => writeln!(text, "AGREES  the net lies on the surface: verified by the independent checker\n"),
+        true => writeln!(text, "AGREES  the net lies on {surface}: verified by the independent checker\n"),
         false => writeln!(
             text,
-            "DIFFERS  the net does not lie on the surface: {} of {} coefficients c[r,s] are not zero\n",
+            "DIFFERS  the net does not lie on {surface}: {} of {} coefficients c[r,s] are not zero\n",
             audit.residual.len(),
             audit.coefficients
         ),
@@ -37,10 +43,7 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
         Convention::Homogeneous => "homogeneous points, premultiplied",
     };
     let _ = writeln!(text, "         bidegree ({m},{n}), {given}, over {}", net.field);
-    let surface = Notation::new(audit.statement.coordinate_ring());
-    if let crate::statement::Subject::Patch(patch) = audit.statement.subject() {
-        let _ = writeln!(text, "Surface  {} = 0", surface.polynomial(&patch.surface));
-    }
+    let _ = writeln!(text, "Surface  {}", surface_equation(&audit.statement));
     if audit.residual.is_empty() {
         return Ok(text);
     }
@@ -52,7 +55,11 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
         let _ = writeln!(text, "   … and {} more", audit.residual.len() - SHOWN);
     }
     if let Some((r, s, value)) = audit.largest() {
-        let _ = writeln!(text, "   The largest is c[{r},{s}] = {}…", decimal(value, 20, &net.field)?);
+        let _ = writeln!(
+            text,
+            "   None is larger in absolute value than c[{r},{s}] = {}",
+            shown_decimal(value, &net.field)?
+        );
     }
     text.push('\n');
     let _ = match audit.corrections.len() {
@@ -73,6 +80,9 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
     };
     for correction in audit.corrections.iter().take(SHOWN) {
         let _ = writeln!(text, "   {}", correction_text(net, &notation, correction));
+    }
+    if audit.corrections.len() > SHOWN {
+        let _ = writeln!(text, "   … and {} more", audit.corrections.len() - SHOWN);
     }
     Ok(text)
 }
@@ -113,14 +123,27 @@ fn visible(value: &Polynomial, field: &Radicands) -> Result<String, Limit> {
     decimal(value, 300, field)
 }
 
+/// The decimal, if it ends within some digits; otherwise those digits and `…`.
+fn shown_decimal(value: &Polynomial, field: &Radicands) -> Result<String, Limit> {
+    let digits = decimal(value, DIGITS, field)?;
+    let unit = BigRational::from_integer(BigInt::from(10).pow(DIGITS));
+    Ok(match value.as_rational().is_some_and(|value| (value * unit).is_integer()) {
+        true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => format!("{digits}…"),
+    })
+}
+
+fn convention_text(convention: Convention) -> &'static str {
+    match convention {
+        Convention::Cartesian => "Cartesian, not premultiplied by the weight",
+        Convention::Homogeneous => "premultiplied by the weight",
+    }
+}
+
 fn correction_text(net: &PrintedNet, notation: &Notation, correction: &NetCorrection) -> String {
     let place = match correction.point {
         Some((i, j)) => format!("point (i,j) = ({i},{j})"),
         None => "the whole net".to_owned(),
-    };
-    let given = |convention: Convention| match convention {
-        Convention::Cartesian => "Cartesian, not premultiplied by the weight",
-        Convention::Homogeneous => "premultiplied by the weight",
     };
     match &correction.change {
         NetChange::Entry { coordinate, printed, right } => {
@@ -142,7 +165,7 @@ fn correction_text(net: &PrintedNet, notation: &Notation, correction: &NetCorrec
                 notation.polynomial(factor)
             )
         }
-        NetChange::Convention { meant } => format!("{place} is {}", given(*meant)),
+        NetChange::Convention { meant } => format!("{place} is {}", convention_text(*meant)),
     }
 }
 

@@ -79,9 +79,13 @@ fn condition(statement: &Statement, notation: &Notation, list: &[Coefficient]) -
     let (last_r, last_s) = list.last().map_or((0, 0), |last| last.index);
     let _ = writeln!(
         text,
-        "   Patch of bidegree ({m},{n}), {} control points, unknowns {}.",
+        "   Patch of bidegree ({m},{n}), {} control points, {}.",
         (m + 1) * (n + 1),
-        statement.unknowns().join(", ")
+        match statement.unknowns() {
+            [] => "no unknowns".to_owned(),
+            [one] => format!("unknown {one}"),
+            many => format!("unknowns {}", many.join(", ")),
+        }
     );
     let _ = writeln!(
         text,
@@ -90,15 +94,23 @@ fn condition(statement: &Statement, notation: &Notation, list: &[Coefficient]) -
     );
     let _ = writeln!(
         text,
-        "   F has bidegree ({last_r},{last_s}); c[r,s] is its coefficient of u^r (1−u)^({last_r}−r) · v^s (1−v)^({last_s}−s)."
+        "   F has at most bidegree ({last_r},{last_s}); c[r,s] is its coefficient of u^r (1−u)^({last_r}−r) · v^s (1−v)^({last_s}−s)."
     );
     let (groups, zero) = grouped(list);
-    let _ = writeln!(
-        text,
-        "   Of {} coefficients {zero} vanish; the others are {} different polynomials:",
-        list.len(),
-        groups.len()
-    );
+    let vanish = match zero {
+        0 => "none vanishes".to_owned(),
+        1 => "1 vanishes".to_owned(),
+        many => format!("{many} vanish"),
+    };
+    let others = match (list.len() - zero, groups.len()) {
+        (0, _) => String::new(),
+        (1, _) => "; the other is".to_owned(),
+        (_, 1) if zero == 0 => "; they are all equal:".to_owned(),
+        (many, 1) => format!("; the other {many} are equal:"),
+        (_, different) if zero == 0 => format!("; they are {different} different polynomials:"),
+        (_, different) => format!("; the others are {different} different polynomials:"),
+    };
+    let _ = writeln!(text, "   Of {} coefficients {vanish}{others}", list.len());
     text += &group_lines(notation, &groups);
 
     // The paper's own coefficients, where they are short enough to be read.

@@ -18,6 +18,9 @@ pub(super) fn headline(reason: &Reason) -> &'static str {
     match reason {
         Reason::NoDenominator => "the only solution has no denominator",
         Reason::Limited { .. } => "beyond the limits of the checker",
+        Reason::Elimination(Undecided::Consistent(closure)) if !closure.verified => {
+            "neither a contradiction nor a zero was established"
+        }
         Reason::Elimination(Undecided::Consistent(closure)) if closure.dimension > 0 => {
             "infinitely many complex zeros"
         }
@@ -52,7 +55,7 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
         Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => {
             let _ = writeln!(
                 text,
-                "Up to degree {degree} no combination of multiples of the equations is 1. The next matrix would have\n{columns} columns and {rows} rows or more: that is beyond this engine."
+                "Among the multiples of the equations up to degree {degree} no combination that is 1 was found (modulo a prime).\nThe next matrix would have {columns} columns and {rows} rows or more: that is beyond this engine."
             );
         }
         Reason::Elimination(Undecided::Interrupted { why, reached }) => {
@@ -63,11 +66,6 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
         }
         Reason::Elimination(Undecided::Consistent(closure)) => {
             let field = statement.field();
-            let evidence = if closure.verified {
-                format!("A Gröbner basis, verified over {field}, does not contain 1")
-            } else {
-                "A Gröbner basis modulo a prime, not verified, does not contain 1".to_owned()
-            };
             let zeros = match closure.zeros {
                 Some(count) => {
                     format!("finitely many over the complex numbers: {count}, counted with multiplicity")
@@ -77,8 +75,18 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
                     closure.dimension
                 ),
             };
-            let _ = writeln!(text, "{evidence}, so the equations have common zeros,\n{zeros}.");
-            let _ = writeln!(text, "A certificate of impossibility therefore does not exist.\n");
+            let _ = match closure.verified {
+                true => writeln!(
+                    text,
+                    "A Gröbner basis, verified over {field}, does not contain 1, so the equations have common zeros,\n\
+                     {zeros}.\nA certificate of impossibility therefore does not exist.\n"
+                ),
+                false => writeln!(
+                    text,
+                    "What looks like a Gröbner basis modulo a prime does not contain 1. Over {field} that was not verified. If it is\n\
+                     one, the equations have common zeros, {zeros}.\n"
+                ),
+            };
             let everywhere = closure.linear.is_empty() && closure.basis.is_empty();
             if !everywhere {
                 text += &coordinates(statement, closure)?;
@@ -89,7 +97,8 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
                 [] => {
                     "The equations hold for all values of the unknowns: give them values to have the result verified."
                 }
-                _ => "The equations are equivalent to",
+                _ if closure.verified => "The equations are equivalent to",
+                _ => "From the equations follow",
             };
             let _ = writeln!(text, "{heading}");
             for polynomial in basis.iter().take(BASIS) {

@@ -5,3 +5,4 @@ mod figures;
 mod limits;
 mod readback;
 mod sessions;
+mod words;

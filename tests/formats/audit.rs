@@ -305,7 +305,7 @@ fn true_claims_hold_and_their_twins_fail() {
             &*format!(
                 "solve = [\"a1\", \"a2\"]\nsolution = {{ w = \"1/3\", z = \"4*sqrt(3)/3\" }}\n{variables}"
             ),
-            "the only solution has w = 1/2, w·z = 2√3/3",
+            "they hold if and only if w = 1/2, w·z = 2√3/3",
         ),
         (
             &*format!(

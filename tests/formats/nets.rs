@@ -160,8 +160,12 @@ fn json_that_is_no_net_is_refused() {
             "net[0][0][3]: expected an expression in quotes, an integer, or one coordinate for each basis element",
         ),
         (
+            net("[[[1,2,3,4],[1,2,3,4]],[[1,2,3,4],[1,2,3,4]]], \"surface\": 5"),
+            "surface: expected a polynomial in X, Y, Z, W in quotes",
+        ),
+        (
             "{\"convention\": \"cartesian\", \"radicands\": [4], \"net\": []}".to_owned(),
-            "radicands: radicand 4 is not a squarefree prime; for √6 list the primes 2 and 3",
+            "radicands: radicand 4 is not a prime; for √6 list the primes 2 and 3",
         ),
     ] {
         assert_eq!(json_error(&text), complaint, "{text}");

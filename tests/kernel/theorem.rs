@@ -38,7 +38,7 @@ fn impossible_patches() {
     assert_eq!(
         theorem.to_string(),
         "This rational Bézier patch of bidegree (1,1) does not lie on the surface W = 0: its 4 coefficients c[r,s] \
-         have no common zero over any field containing Q(√2)."
+         are not all zero."
     );
     assert_eq!(
         proved(&off("\"p\"", ""), step()).to_string(),
@@ -47,9 +47,9 @@ fn impossible_patches() {
     );
     assert_eq!(
         proved(&off("\"p\", \"q\"", "\"p\", \"q - 1\""), step()).to_string(),
-        "For no values of p, q with p ≠ 0, q - 1 ≠ 0, real or complex, does this rational Bézier patch of bidegree \
+        "For no values of p, q with p ≠ 0, q − 1 ≠ 0, real or complex, does this rational Bézier patch of bidegree \
          (1,1) lie on the surface W = 0: its 4 coefficients c[r,s] have no common zero over any field containing \
-         Q(√2) with p ≠ 0, q - 1 ≠ 0."
+         Q(√2) with p ≠ 0, q − 1 ≠ 0."
     );
 }
 
@@ -84,8 +84,8 @@ fn positive_weights_are_claimed_only_where_all_are() {
     assert!(positive);
     assert_eq!(
         sentence,
-        "As it stands every point of the patch whose denominator is not zero lies on the surface. Every weight is \
-         positive, so the patch is defined on the whole square."
+        "As it stands every point of the patch whose denominator is not zero lies on the surface Z = 0. Every weight \
+         is positive, so the patch is defined on the whole square."
     );
     // One weight is zero, or negative by little, at each place in turn.
     for bad in ["0", "-1", "7 - 5*sqrt(2)", "1 - sqrt(2)"] {
@@ -104,7 +104,7 @@ fn solutions() {
     let text = "title = \"t\"\nradicands = [2]\nunknowns = [\"x\"]\nnonzero = [\"x\"]\npolynomials = [\"x^2 - x\"]\n";
     let theorem = proved(text, Argument::Exact(vec![Polynomial::integer(1)]));
     assert_eq!(theorem.kind(), "solution");
-    assert_eq!(theorem.to_string(), "The stated values in Q(√2) solve the system with x ≠ 0.");
+    assert_eq!(theorem.to_string(), "The stated values in Q(√2) solve the system, with x ≠ 0.");
     let statement = Statement::read(text).unwrap();
     for (value, right) in [(0, false), (1, true), (2, false)] {
         let argument = Argument::Exact(vec![Polynomial::integer(value)]);

@@ -6,6 +6,7 @@ mod quantity;
 mod radius;
 mod relation;
 mod solution;
+mod unique;
 
 use super::AuditError;
 use super::compare::Finding;

@@ -64,7 +64,8 @@ pub(super) fn quantity(at: &Claimed<'_>, name: &str, printed: &[Expression]) -> 
         of_printed = of_printed.and(comma).formula(&printed);
     }
     let (open, close) = if derived.len() > 1 { ("(", ")") } else { ("", "") };
-    let mut evidence = Phrase::words(format!("{name} = {open}"));
+    let shown = name.replace("^2", "²").replace("alpha", "α");
+    let mut evidence = Phrase::words(format!("{shown} = {open}"));
     evidence.0.extend(of_derived.0);
     evidence = evidence.and(close);
     if !holds {

@@ -1,5 +1,6 @@
 //! Solutions of linear equations, and values at a point.
 
+use super::unique::{Others, others};
 use super::{Claimed, Judged, Judgement};
 use crate::algebra::{FieldElement, MultiquadraticField, Polynomial, polynomial_to_exact};
 use crate::audit::AuditError;
@@ -52,16 +53,37 @@ pub(super) fn solution(
     };
     let point = at.point(values)?;
     let mut holds = true;
-    let mut phrase = Phrase::words("the only solution has ");
+    let mut equations = Vec::with_capacity(variables.len());
+    let mut phrase = Phrase::default();
     for (position, (variable, found)) in variables.iter().zip(&found).enumerate() {
         let symbolic = at.value(variable, at.case.scope)?;
         let claimed = symbolic.substitute(&point, at.case.statement.field(), &mut Work::full())?;
         let found = polynomial_to_exact(&Polynomial::constant(found.clone()))?;
         holds &= claimed == found;
+        equations.push(at.difference(&symbolic, &found)?);
         phrase =
             phrase.and(if position > 0 { ", " } else { "" }).formula(&symbolic).and(" = ").formula(&found);
     }
-    evidence.push(phrase);
+    // One value for each variable is not yet one value for each unknown: w² = 4.
+    let others = if holds { others(at, &equations, &point)? } else { Others::None };
+    let what = match others {
+        Others::None if holds => "the only solution has ",
+        _ if least_squares => "least squares gives ",
+        _ => "they hold if and only if ",
+    };
+    evidence.push(Phrase::words(what).followed_by(phrase));
+    match others {
+        Others::None => {}
+        Others::One(unknown, value) => {
+            let name = &at.case.statement.unknowns()[unknown];
+            evidence.push(Phrase::words(format!("which is also so with {name} = ")).formula(&value));
+            return Ok((Judgement::Fails, evidence));
+        }
+        Others::Open => {
+            evidence.push(Phrase::words("whether other values of the unknowns satisfy that was not decided"));
+            return Ok((Judgement::NotChecked, evidence));
+        }
+    }
     Ok((if holds { Judgement::Holds } else { Judgement::Fails }, evidence))
 }
 

@@ -6,8 +6,8 @@
 
 use serde_json::Value;
 
+use super::AuditError;
 use super::printed::{Convention, PrintedNet};
-use super::{AuditError, UNIT_SPHERE};
 use crate::exact::{Polynomial, Radicands, Work, limits};
 use crate::listing::{Expression, Scope};
 use crate::statement::Statement;
@@ -73,7 +73,11 @@ pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
         points.push(read);
     }
     check_shape(&points).map_err(|why| wrong("net", &why))?;
-    let surface = said("surface").as_str().unwrap_or(UNIT_SPHERE).to_owned();
+    let surface = match said("surface") {
+        Value::Null => None,
+        Value::String(surface) => Some(surface.clone()),
+        _ => return Err(wrong("surface", "expected a polynomial in X, Y, Z, W in quotes")),
+    };
     let title = said("title").as_str().unwrap_or("A printed net").to_owned();
     Ok(PrintedNet { title, field, convention, surface, points })
 }

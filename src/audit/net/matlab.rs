@@ -10,9 +10,9 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::AuditError;
 use super::json::{check_shape, prime_factors};
 use super::printed::{Convention, PrintedNet};
-use super::{AuditError, UNIT_SPHERE};
 use crate::exact::{Polynomial, Radicands, Work, limits};
 use crate::listing::{Expression, ListingError, ListingFault, Scope, Symbol};
 use crate::statement::Place;
@@ -47,7 +47,7 @@ pub fn from_matlab(text: &str, title: &str, convention: Convention) -> Result<Pr
         points.push(row);
     }
     check_shape(&points).map_err(AuditError::Net)?;
-    Ok(PrintedNet { title: title.to_owned(), field, convention, surface: UNIT_SPHERE.to_owned(), points })
+    Ok(PrintedNet { title: title.to_owned(), field, convention, surface: None, points })
 }
 
 /// Comments and continuation dots blanked; every byte stays where it was.

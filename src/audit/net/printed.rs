@@ -59,8 +59,8 @@ pub struct PrintedNet {
     pub field: Radicands,
     /// How points are given.
     pub convention: Convention,
-    /// The surface, in the language of statements.
-    pub surface: String,
+    /// The surface, in the language of statements; `None` where the net names none and the unit sphere is meant.
+    pub surface: Option<String>,
     /// `points[i][j]` belongs to Bᵢᵐ(u)·Bⱼⁿ(v); at least two rows of at least two points, all of one length.
     pub points: Vec<Vec<[Polynomial; 4]>>,
 }
@@ -96,7 +96,7 @@ impl PrintedNet {
             title: statement.title().to_owned(),
             field: statement.field().clone(),
             convention,
-            surface: statement.coordinate_ring().spell(&patch.surface),
+            surface: statement.names_surface().then(|| statement.coordinate_ring().spell(&patch.surface)),
             points,
         })
     }
@@ -130,12 +130,14 @@ impl PrintedNet {
         let title: String = self.title.chars().filter(|c| !c.is_control()).take(200).collect();
         let quoted = title.replace('\\', "\\\\").replace('"', "\\\"");
         let mut text = format!(
-            "title = \"{quoted}\"\nradicands = {:?}\nunknowns = []\nconvention = \"{}\"\nbidegree = [{m}, {n}]\n\
-             surface = \"{}\"\nnet = [\n",
+            "title = \"{quoted}\"\nradicands = {:?}\nunknowns = []\nconvention = \"{}\"\nbidegree = [{m}, {n}]\n",
             self.field.values(),
             self.convention.word(),
-            self.surface
         );
+        if let Some(surface) = &self.surface {
+            let _ = writeln!(text, "surface = \"{surface}\"");
+        }
+        text += "net = [\n";
         for row in &self.points {
             let point = |point: &[Polynomial; 4]| {
                 let entries: Vec<String> =

@@ -2,14 +2,16 @@
 //!
 //! It derives the equations from the statement itself, by substitution into the surface polynomial, and
 //! multiplies out what the certificate says. It knows no monomial order, no division and no elimination,
-//! and uses nothing of the prover.
+//! and uses nothing of the prover. (The prover uses it: both read statements and certificates with the
+//! same readers and know the trusted numbers and polynomials, and the prover's reports evaluate the checker's
+//! equations; what is found is found with arithmetic and an expansion of the prover's own.)
 
 mod error;
 mod theorem;
 
 pub use crate::claims::{
     Bounded, BoundsRejection, Claim, CoverRejection, Covered, ExactNet, ExactRejection, Excluded,
-    ImpossibleRejection, Refuted, Rejection, Solution, SubdivisionRejection, UnreachableRejection,
+    ImpossibleRejection, Refuted, Rejection, Solution, SubdivisionRejection, UnreachableRejection, written,
 };
 pub use crate::equations::Equations;
 pub use crate::failure::Place;

@@ -10,6 +10,7 @@ mod exact;
 mod impossible;
 mod subdivision;
 mod unreachable;
+mod wording;
 
 use std::fmt;
 
@@ -26,6 +27,7 @@ pub use subdivision::{
     Quantity, Rejection as SubdivisionRejection, Side, Tree, Units, decimal_value, spell_decimal,
 };
 pub use unreachable::{Excluded, Odds, Region, Rejection as UnreachableRejection, Unreachable};
+pub use wording::written;
 
 macro_rules! registry {
     ($($keyword:literal in $folder:ident: $(#[$doc:meta])* $variant:ident($argument:ty)

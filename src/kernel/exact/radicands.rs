@@ -25,7 +25,7 @@ pub struct Radicands {
 pub enum RadicandsError {
     /// More than four.
     TooMany(usize),
-    /// Not a prime, hence either not squarefree or not needed.
+    /// Not a prime: roots of other numbers lie in the field of the primes they are products of.
     NotPrime(u32),
     /// Larger than [`limits::RADICAND`].
     TooLarge(u32),
@@ -40,7 +40,7 @@ impl fmt::Display for RadicandsError {
                 write!(f, "{count} radicands, expected at most {}", limits::RADICANDS)
             }
             RadicandsError::NotPrime(value) => {
-                write!(f, "radicand {value} is not a squarefree prime; for √6 list the primes 2 and 3")
+                write!(f, "radicand {value} is not a prime; for √6 list the primes 2 and 3")
             }
             RadicandsError::TooLarge(value) => {
                 write!(f, "radicand {value} is larger than {}", limits::RADICAND)

@@ -100,7 +100,8 @@ impl<'a> Document<'a> {
             None => Subject::Patch(self.patch(&scope, work)?),
         };
         let nonzero = nonzero.into_iter().map(|(polynomial, _)| polynomial).collect();
-        let statement = Statement { title, field, unknowns, nonzero, subject };
+        let names_surface = self.optional("surface").is_some();
+        let statement = Statement { title, field, unknowns, nonzero, subject, names_surface };
         if statement.bit_count() > limits::STATEMENT_BITS {
             let limit = Limit::new("bits in the numbers of a statement", limits::STATEMENT_BITS);
             return Err((limit.into(), 0..0));

@@ -115,7 +115,7 @@ impl fmt::Display for StatementFault {
                     "the surface is not homogeneous: it has terms of degree {degree} and of degree {other}"
                 )
             }
-            Fault::NoSurface => write!(f, "the surface has degree 0, expected a polynomial in X, Y, Z, W"),
+            Fault::NoSurface => write!(f, "the surface is a constant, expected a polynomial in X, Y, Z, W"),
             Fault::NoDenominator => {
                 write!(f, "every weight of the net is zero, expected a patch with a denominator")
             }

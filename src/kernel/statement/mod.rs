@@ -32,6 +32,7 @@ pub struct Statement {
     unknowns: Vec<String>,
     nonzero: Vec<Polynomial>,
     subject: Subject,
+    names_surface: bool,
 }
 
 /// Where the equations come from.
@@ -87,6 +88,12 @@ impl Statement {
     /// The equations.
     pub fn subject(&self) -> &Subject {
         &self.subject
+    }
+
+    /// Whether the file says which surface is meant; if a patch's does not, it is the unit sphere. For people only, like
+    /// the title.
+    pub fn names_surface(&self) -> bool {
+        self.names_surface
     }
 
     /// The bits of all numbers in it.

@@ -9,6 +9,7 @@ use num_rational::BigRational;
 
 use super::exact::spelled;
 use super::subdivision::{self, Quantity, Tree, Units, spell_decimal};
+use super::wording;
 use crate::exact::Polynomial;
 use crate::statement::Statement;
 
@@ -83,10 +84,15 @@ impl Bounded {
     /// What was proved.
     pub(super) fn sentence(&self, statement: &Statement) -> String {
         let Bounded { quantity, places, between, .. } = self;
-        let [low, high] = between.each_ref().map(|bound| spell_decimal(bound, *places));
+        let decimal = |bound| wording::mathematics(&spell_decimal(bound, *places));
+        let [low, high] = between.each_ref().map(decimal);
+        let unchecked = wording::assumptions(statement)
+            .map_or_else(String::new, |assumed| format!(" That {assumed} at these values is not checked."));
         format!(
-            "At the stated values the denominator W is positive on the whole square, and there {low} ≤ {} ≤ {high}. {}",
+            "{} the denominator W is positive on the whole square, and there {low} ≤ {} ≤ {high}{}. {}{unchecked}",
+            wording::at_values(statement),
             quantity.name(statement),
+            quantity.meaning(statement),
             self.how_good()
         )
     }

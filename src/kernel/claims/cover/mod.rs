@@ -9,6 +9,7 @@ use std::fmt;
 
 use super::exact::{self, spelled};
 use super::subdivision::{self, Tree};
+use super::wording;
 use crate::exact::Polynomial;
 use crate::statement::Statement;
 
@@ -90,16 +91,21 @@ impl Covered {
     }
 
     /// What was proved.
-    pub(super) fn sentence(&self, _: &Statement) -> String {
-        let at = if self.values.is_empty() { "As it stands" } else { "At the stated values" };
-        let (polygon, regular) = match self.point {
-            None => ("quadrilateral", String::new()),
-            Some(edge) => ("triangle", format!(", but for the edge {edge}, which is a single point")),
+    pub(super) fn sentence(&self, statement: &Statement) -> String {
+        let image = match self.point {
+            None => "it maps the square one to one and regularly onto the convex spherical quadrilateral between its \
+                     corners, whose sides are the shorter arcs of great circles"
+                .to_owned(),
+            Some(edge) => format!(
+                "it maps the square onto the convex spherical triangle between its corners, whose sides are the shorter \
+                 arcs of great circles: the edge {} to one corner, and all else one to one and regularly onto the rest",
+                edge.replace('=', " = ")
+            ),
         };
         format!(
-            "{at} the patch lies on the unit sphere, its denominator W is positive on the whole square, and it maps \
-             the square one to one and regularly onto the convex spherical {polygon} between its corners, whose \
-             sides are the shorter arcs of great circles{regular}."
+            "{}{} the patch lies on the unit sphere, its denominator W is positive on the whole square, and {image}.",
+            wording::at_values(statement),
+            wording::where_assumptions(statement)
         )
     }
 
@@ -110,8 +116,8 @@ impl Covered {
         lines.extend(spelled(statement, &self.values));
         let ring = statement.ring();
         for (at, corner) in ["(0,0)", "(1,0)", "(1,1)", "(0,1)"].iter().zip(&self.corners) {
-            let corner = corner.each_ref().map(|x| ring.spell(x)).join(", ");
-            lines.push(format!("corner     {at} -> ({corner})"));
+            let corner = corner.each_ref().map(|x| wording::written(&ring, x)).join(", ");
+            lines.push(format!("corner     {at} → ({corner})"));
         }
         lines
     }

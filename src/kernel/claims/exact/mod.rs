@@ -5,9 +5,10 @@ mod text;
 
 use std::fmt;
 
+use super::wording;
 use crate::equations::Premise;
 use crate::exact::Polynomial;
-use crate::statement::{HomogeneousPoint, Statement};
+use crate::statement::{HomogeneousPoint, Statement, Subject};
 
 pub(super) use check::{Zero, evaluated, verify};
 pub(super) use text::{read, spelled, value_lines, write};
@@ -49,14 +50,21 @@ impl ExactNet {
     }
 
     /// What was proved.
-    pub(super) fn sentence(&self, _: &Statement) -> String {
-        let at = if self.values.is_empty() { "As it stands" } else { "At the stated values" };
+    pub(super) fn sentence(&self, statement: &Statement) -> String {
         let defined = if self.weights_positive {
             "Every weight is positive, so the patch is defined on the whole square."
         } else {
             "Not every weight is positive; that the denominator vanishes nowhere on the square is not claimed."
         };
-        format!("{at} every point of the patch whose denominator is not zero lies on the surface. {defined}")
+        let surface = match statement.subject() {
+            Subject::Patch(patch) => wording::surface(statement, patch),
+            Subject::System(_) => "the surface".to_owned(),
+        };
+        format!(
+            "{}{} every point of the patch whose denominator is not zero lies on {surface}. {defined}",
+            wording::at_values(statement),
+            wording::where_assumptions(statement),
+        )
     }
 
     /// Lines under the sentence.
@@ -73,8 +81,12 @@ impl Solution {
 
     /// What was proved.
     pub(super) fn sentence(&self, statement: &Statement) -> String {
-        let assuming = super::impossible::assuming(statement);
-        format!("The stated values in {} solve the system{assuming}.", statement.field())
+        if statement.unknowns().is_empty() {
+            return "Every polynomial of the system is zero.".to_owned();
+        }
+        let also =
+            wording::assumptions(statement).map_or_else(String::new, |assumed| format!(", with {assumed}"));
+        format!("The stated values in {} solve the system{also}.", statement.field())
     }
 
     /// Lines under the sentence.

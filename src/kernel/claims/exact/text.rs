@@ -1,5 +1,6 @@
 //! The text of claim `exact`, and of values within other claims.
 
+use crate::claims::wording::written;
 use crate::exact::{Polynomial, Ring};
 use crate::statement::Statement;
 use crate::text::{CertificateError, Reader};
@@ -34,5 +35,5 @@ pub(in crate::claims) fn value_lines(values: &[Polynomial], ring: &Ring) -> Vec<
 pub(in crate::claims) fn spelled(statement: &Statement, values: &[Polynomial]) -> Vec<String> {
     let ring = statement.ring();
     let pairs = statement.unknowns().iter().zip(values);
-    pairs.map(|(name, value)| format!("value      {name} = {}", ring.spell(value))).collect()
+    pairs.map(|(name, value)| format!("value      {name} = {}", written(&ring, value))).collect()
 }

@@ -5,9 +5,10 @@ mod text;
 
 use std::fmt;
 
+use super::wording;
 use crate::equations::Premise;
 use crate::exact::Polynomial;
-use crate::statement::{Statement, Subject};
+use crate::statement::{Patch, Statement, Subject};
 
 pub(super) use check::verify;
 pub(super) use text::{read, write};
@@ -62,48 +63,57 @@ impl Refuted {
 
     /// What was proved.
     pub(super) fn sentence(&self, statement: &Statement) -> String {
-        let (field, assuming) = (statement.field(), assuming(statement));
         match statement.subject() {
-            Subject::System(polynomials) => format!(
-                "The system of {} polynomial{} has no zero{assuming} over any field containing {field}.",
-                polynomials.len(),
-                if polynomials.len() == 1 { "" } else { "s" }
-            ),
-            Subject::Patch(patch) => {
-                let degree = patch.surface.degree();
-                let (m, n) = patch.bidegree;
-                let count = count_coefficients(m.saturating_mul(degree), n.saturating_mul(degree));
-                let surface = statement.coordinate_ring().spell(&patch.surface);
-                let patch = format!("this rational Bézier patch of bidegree ({m},{n})");
-                let fails = match statement.unknowns() {
-                    [] => format!("{patch} does not lie").replacen("this", "This", 1),
-                    [one] => format!("For no value of {one}{assuming}, real or complex, does {patch} lie"),
-                    many => {
-                        let many = many.join(", ");
-                        format!("For no values of {many}{assuming}, real or complex, does {patch} lie")
-                    }
-                };
-                format!(
-                    "{fails} on the surface {surface} = 0: its {count} coefficients c[r,s] have no common zero \
-                     over any field containing {field}{assuming}."
-                )
-            }
+            Subject::Patch(patch) => patch_impossible(statement, patch),
+            Subject::System(polynomials) => system_impossible(statement, polynomials.len()),
         }
     }
 
     /// Lines under the sentence.
     pub(super) fn details(&self, _: &Statement) -> Vec<String> {
         let Refuted { steps, multiplier_terms } = self;
-        vec![format!("replayed   {steps} steps with {multiplier_terms} terms in their multipliers")]
+        let plural = |count: &usize| if *count == 1 { "" } else { "s" };
+        vec![format!(
+            "replayed   {steps} step{}, {multiplier_terms} term{} in the multipliers",
+            plural(steps),
+            plural(multiplier_terms)
+        )]
     }
 }
 
-/// ` with w ≠ 0`, or nothing.
-pub(super) fn assuming(statement: &Statement) -> String {
-    let ring = statement.ring();
-    let assumed: Vec<String> =
-        statement.nonzero().iter().map(|polynomial| format!("{} ≠ 0", ring.spell(polynomial))).collect();
-    if assumed.is_empty() { String::new() } else { format!(" with {}", assumed.join(", ")) }
+fn patch_impossible(statement: &Statement, patch: &Patch) -> String {
+    let degree = patch.surface.degree();
+    let (m, n) = patch.bidegree;
+    let count = count_coefficients(m.saturating_mul(degree), n.saturating_mul(degree));
+    let surface = wording::surface(statement, patch);
+    let with = wording::with_assumptions(statement);
+    let patch = format!("rational Bézier patch of bidegree ({m},{n})");
+    let values = match statement.unknowns() {
+        [] => {
+            return format!(
+                "This {patch} does not lie on {surface}: its {count} coefficients c[r,s] are not all zero."
+            );
+        }
+        [one] => format!("For no value of {one}"),
+        many => format!("For no values of {}", many.join(", ")),
+    };
+    format!(
+        "{values}{with}, real or complex, does this {patch} lie on {surface}: its {count} coefficients c[r,s] have \
+         no common zero over any field containing {}{with}.",
+        statement.field()
+    )
+}
+
+fn system_impossible(statement: &Statement, polynomials: usize) -> String {
+    if statement.unknowns().is_empty() {
+        return "The polynomials of the system, all constants, are not all zero.".to_owned();
+    }
+    format!(
+        "The system of {polynomials} polynomial{} has no zero{} over any field containing {}.",
+        if polynomials == 1 { "" } else { "s" },
+        wording::with_assumptions(statement),
+        statement.field()
+    )
 }
 
 fn count_coefficients(r: u32, s: u32) -> u64 {

@@ -40,9 +40,14 @@ pub enum Rejection {
 impl fmt::Display for Rejection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Rejection::NotAPatch => write!(f, "a system of equations has no patch to bound"),
+            Rejection::NotAPatch => {
+                write!(f, "the claim is about a patch, but the statement is a system of equations")
+            }
             Rejection::NotTheUnitSphere => {
-                write!(f, "a radius is bounded, but the surface is not X^2 + Y^2 + Z^2 - W^2")
+                write!(
+                    f,
+                    "the claim is about the unit sphere X² + Y² + Z² − W² = 0, but the surface is another"
+                )
             }
             Rejection::NegativeRadius => write!(f, "a bound on a radius is negative"),
             Rejection::Tree { tree } => write!(f, "{tree}: not a binary tree in preorder"),

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::Rejection;
+use crate::claims::wording;
 use crate::statement::{Statement, Subject};
 
 /// What is bounded, along a patch with denominator W > 0 on a surface F = 0 of degree e.
@@ -17,22 +18,24 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// What F is; nothing for a radius.
+    pub(in crate::claims) fn meaning(self, statement: &Statement) -> String {
+        match (self, statement.subject()) {
+            (Quantity::Ratio, Subject::Patch(patch)) => {
+                format!(", for F = {}", wording::written(&statement.coordinate_ring(), &patch.surface))
+            }
+            _ => String::new(),
+        }
+    }
+
     /// As sentences name it: `F/W²`.
     pub(in crate::claims) fn name(self, statement: &Statement) -> String {
         match (self, statement.subject()) {
-            (Quantity::Ratio, Subject::Patch(patch)) => format!("F/W{}", exponent(patch.surface.degree())),
+            (Quantity::Ratio, Subject::Patch(patch)) => {
+                format!("F/W{}", wording::exponent(patch.surface.degree()))
+            }
             _ => "√(x² + y² + z²)".to_owned(),
         }
-    }
-}
-
-/// A natural number as an exponent; nothing for 1.
-fn exponent(number: u32) -> String {
-    let raised =
-        |digit: char| "0123456789".chars().zip("⁰¹²³⁴⁵⁶⁷⁸⁹".chars()).find(|(plain, _)| *plain == digit);
-    match number {
-        1 => String::new(),
-        _ => number.to_string().chars().filter_map(raised).map(|(_, up)| up).collect(),
     }
 }
 

@@ -10,6 +10,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::subdivision::{self, Quantity, Side, Units, spell_decimal};
+use super::wording;
 use crate::statement::Statement;
 
 pub(super) use check::verify;
@@ -96,12 +97,20 @@ impl Excluded {
 
     /// What was proved.
     pub(super) fn sentence(&self, statement: &Statement) -> String {
-        let [low, high] = self.between.each_ref().map(|bound| spell_decimal(bound, self.places));
+        let decimal = |units| wording::mathematics(&spell_decimal(units, self.places));
+        let [low, high] = self.between.each_ref().map(decimal);
+        // No assumption is made use of.
+        let whether = wording::assumptions(statement)
+            .map_or_else(String::new, |assumed| format!(", whether {assumed} or not,"));
+        let (values, is) = match statement.unknowns() {
+            [] => ("It is not so that".to_owned(), " is"),
+            [one] => (format!("For no real value of {one}{whether} is"), ""),
+            many => (format!("For no real values of {}{whether} is", many.join(", ")), ""),
+        };
         format!(
-            "For no real values of {} is the denominator W positive on the whole square and {low} < {} < {high} \
-             everywhere on it.",
-            statement.unknowns().join(", "),
-            self.quantity.name(statement)
+            "{values} the denominator W{is} positive on the whole square and {low} < {} < {high} everywhere on it{}.",
+            self.quantity.name(statement),
+            self.quantity.meaning(statement)
         )
     }
 
