@@ -104,6 +104,9 @@ pub struct Unreachable {
     pub upper: Units,
     /// Pairs (z, w) of unknowns: from here on z stands for the product z·w.
     pub products: Vec<(u16, u16)>,
+    /// Unknowns and what is put for them, one after another: forms of degree 1 with rational coefficients that contain the unknown
+    /// itself. They choose units, and where zero is, so that boxes of one shape suit all unknowns.
+    pub forms: Vec<(u16, Polynomial)>,
     /// What the first chart reaches: all unknowns from −range to range.
     pub range: BigInt,
     /// Sample points (u, v) of the square.

@@ -9,7 +9,7 @@ use super::cover::{Cover, EDGES, EdgeTree};
 use super::error::{CertificateError, CertificateFault as Fault};
 use super::read::{Reader, column};
 use super::seal::seal;
-use crate::exact::{Limit, limits, read_natural};
+use crate::exact::{Limit, Polynomial, limits, read_natural};
 
 impl Reader<'_, '_> {
     /// After `claim bounds`.
@@ -161,13 +161,20 @@ impl Reader<'_, '_> {
         let pair = line.strip_prefix("between ").and_then(|rest| rest.split_once(' '));
         let (low, high) = pair.ok_or_else(|| self.unexpected(line, expected))?;
         let (lower, upper) = (self.decimal(low, places)?, self.decimal(high, places)?);
-        let mut line = self.next("`product` or `range`")?;
+        let expected = "`product`, `put` or `range`";
+        let mut line = self.next(expected)?;
         let mut products = Vec::new();
         while let Some(text) = line.strip_prefix("product ") {
             let pair = text.split_once('*').and_then(|(z, w)| Some((self.unknown(z)?, self.unknown(w)?)));
             let pair = pair.filter(|(z, w)| z != w && products.len() < self.unknowns);
             products.push(pair.ok_or_else(|| self.unexpected(line, "`product ` and two unknowns, z*w"))?);
-            line = self.next("`product` or `range`")?;
+            line = self.next(expected)?;
+        }
+        let mut forms: Vec<(u16, Polynomial)> = Vec::new();
+        while let Some(text) = line.strip_prefix("put ") {
+            let form = self.form(line, text, forms.last().map(|(before, _)| *before))?;
+            forms.push(form);
+            line = self.next("`put` or `range`")?;
         }
         let range = line.strip_prefix("range ").filter(|digits| digits.len() <= limits::DIGITS);
         let range = range
@@ -175,7 +182,32 @@ impl Reader<'_, '_> {
             .filter(|(range, rest)| rest.is_empty() && range.is_positive());
         let (range, _) = range.ok_or_else(|| self.unexpected(line, "`range ` and a positive integer"))?;
         let (samples, charts) = self.charts()?;
-        Ok(Unreachable { quantity, places, lower, upper, products, range, samples, charts })
+        Ok(Unreachable { quantity, places, lower, upper, products, forms, range, samples, charts })
+    }
+
+    /// `z = 500*z + 3*w`: in the order of the unknowns, each once; its form is not the unknown alone, but contains it.
+    fn form(
+        &mut self,
+        line: &str,
+        text: &str,
+        before: Option<u16>,
+    ) -> Result<(u16, Polynomial), CertificateError> {
+        let expected = "`put`, a later unknown than before, ` = ` and another form of degree 1 with rational \
+                        coefficients in the unknowns, which contains this one";
+        let parts = text.split_once(" = ").and_then(|(name, form)| Some((self.unknown(name)?, form)));
+        let (unknown, spelled) = parts
+            .filter(|(unknown, _)| before.is_none_or(|before| before < *unknown))
+            .ok_or_else(|| self.unexpected(line, expected))?;
+        let form = self.polynomial(line, spelled)?;
+        let is_unknown = |&(k, _): &(u16, u32)| usize::from(k) < self.unknowns;
+        let affine = form.terms().all(|(monomial, _)| {
+            monomial.mask() == 0 && monomial.degree() <= 1 && monomial.powers().iter().all(is_unknown)
+        });
+        let contains = form.terms().any(|(monomial, _)| monomial.exponent(unknown) == 1);
+        match affine && contains && form != Polynomial::variable(unknown) {
+            true => Ok((unknown, form)),
+            false => Err(self.unexpected(line, expected)),
+        }
     }
 
     fn unknown(&self, name: &str) -> Option<u16> {

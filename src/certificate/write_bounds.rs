@@ -47,6 +47,7 @@ pub(super) fn unreachable(argument: &Unreachable, ring: &Ring) -> (Vec<String>, 
     let mut lines = vec!["claim unreachable".to_owned(), quantity(argument.quantity, argument.places)];
     lines.push(format!("between {} {}", decimal(&argument.lower), decimal(&argument.upper)));
     lines.extend(argument.products.iter().map(|&(z, w)| format!("product {}*{}", name(z), name(w))));
+    lines.extend(argument.forms.iter().map(|(x, form)| format!("put {} = {}", name(*x), ring.spell(form))));
     lines.push(format!("range {}", argument.range));
     let odds =
         |odds: &Odds| if odds.shrinking { format!("{}*h", odds.value) } else { odds.value.to_string() };

@@ -1,5 +1,8 @@
 //! Whether a net covers the polygon between its corners: the certificate, and what the checker makes of it.
 
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
 use crate::algebra::{FieldElement, Integer, Polynomial};
 use crate::approximation::{NoTree, positive_tree};
 use crate::bezier::BernsteinForm;
@@ -84,7 +87,9 @@ fn positive(
         NoTree::Interrupted(why) => CoverError::Interrupted(why),
         NoTree::TooMany => CoverError::NotPositive { what, place: format!(", as far as {BOXES} boxes show") },
         NoTree::Negative { corner: (u, v), depths: (i, j) } => {
-            let place = format!(": see (u, v) = ({u}/2^{i}, {v}/2^{j})");
+            let [u, v] =
+                [(u, i), (v, j)].map(|(x, depth)| BigRational::new(x.to_bigint(), BigInt::from(1) << depth));
+            let place = format!(": see (u, v) = ({u}, {v})");
             CoverError::NotPositive { what, place }
         }
     })

@@ -10,8 +10,13 @@ use crate::exact::{self, Work};
 use crate::listing::{Expression, Scope, Symbol};
 use crate::prove::field_of;
 
-/// Decimals that are shown of a value.
+/// Decimals that are shown of a value: two more than are printed of it, but so many at least.
 const PLACES: u32 = 8;
+
+fn shown(printed: &str) -> u32 {
+    let decimals = printed.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    u32::try_from(decimals).unwrap_or(u32::MAX).saturating_add(2).max(PLACES)
+}
 
 /// The equations have the printed solution and no other.
 pub(super) fn solution(
@@ -99,7 +104,7 @@ pub(super) fn values(
                     .label(label.as_str())
                     .and(format!(" is printed as {text}, but is "))
                     .formula(&exact)
-                    .and(format!(" = {}…", decimal(&exact, PLACES, field)?)),
+                    .and(format!(" = {}…", decimal(&exact, shown(text), field)?)),
             );
         }
         match groups.iter_mut().find(|(value, _)| *value == exact) {
@@ -124,6 +129,6 @@ pub(super) fn decimal_of(at: &Claimed<'_>, of: &Expression, printed: &str) -> Re
     let exact = at.value(of, &Scope::of(field, &[]))?;
     let holds = Decimal::read(printed).is_close_to(&exact, field)?;
     let evidence =
-        Phrase::default().formula(&exact).and(format!(" = {}…", decimal(&exact, PLACES + 2, field)?));
+        Phrase::default().formula(&exact).and(format!(" = {}…", decimal(&exact, shown(printed), field)?));
     Ok((if holds { Judgement::Holds } else { Judgement::Fails }, vec![evidence]))
 }

@@ -4,6 +4,8 @@
 //! positive, and so is every sum of positive multiples of these. The charts cover the space of the unknowns by boxes, and
 //! on each box some such sum is nowhere positive.
 //!
+//! Products of two unknowns, and forms of degree 1, may be put for unknowns first: all values of the old ones are values of the new.
+//!
 //! In the first chart every unknown is range·ξ with −1 ≤ ξ ≤ 1, and h = 1. In the others the unknown j is ±range/h with
 //! 0 < h ≤ 1, and the others are range·ξ/h: together they are all values. A polynomial of degree D in the unknowns is multiplied
 //! by h^D, which is positive, and divided by any power of h that all its terms have. Sample points may move with h.
@@ -22,7 +24,7 @@ use crate::certificate::{Odds, Region, Side, Unreachable};
 use crate::checker::equations::{S, T, expand};
 use crate::checker::error::{CheckError, Rejection};
 use crate::checker::theorem::{Claim, Theorem};
-use crate::exact::{Limit, Monomial, Polynomial, Work};
+use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work};
 use crate::statement::Statement;
 
 pub(in crate::checker) fn verify(
@@ -45,7 +47,11 @@ pub(in crate::checker) fn verify(
     let mut sides = Vec::with_capacity(3);
     for (side, bound) in [(Side::Lower, low), (Side::Upper, high.clone()), (Side::Weight, high)] {
         let polynomial = powers.side(side, bound, work).map_err(limited)?;
-        sides.push((side, with_products(&polynomial, &argument.products, work)?));
+        let mut polynomial = with_products(&polynomial, &argument.products, work)?;
+        for (unknown, form) in &argument.forms {
+            polynomial = put(&polynomial, *unknown, form, field, work).map_err(limited)?;
+        }
+        sides.push((side, polynomial));
     }
     let signs = Signs::new(field);
     let mut boxes = 0usize;
@@ -136,6 +142,20 @@ fn with_products(
     }
     // z·w ↦ z is one to one on the monomials it applies to, so that no two of them have become equal.
     Ok(Polynomial::from_terms(terms))
+}
+
+/// A form is put for an unknown. It contains the unknown and has degree 1, so that every value of the unknown is a value of the form,
+/// whatever the others are.
+fn put(
+    polynomial: &Polynomial,
+    unknown: u16,
+    form: &Polynomial,
+    field: &Radicands,
+    work: &mut Work,
+) -> Result<Polynomial, Limit> {
+    let of = |k: u16| if k == unknown { form.clone() } else { Polynomial::variable(k) };
+    let values: Vec<Polynomial> = (0..=unknown).map(of).collect();
+    polynomial.substitute(&values, field, work)
 }
 
 /// Which unknown is the largest in a chart, and its sign; none in the first.
