@@ -230,11 +230,11 @@ fn forms_that_are_changed_prove_nothing() {
     };
     rejected(changed(&|a| a.forms.clear()));
     // All weights a thousand times smaller, all heights thrown about.
-    for text in ["1/1000*z", "512*z - 4000*w"] {
+    for text in ["1/1000*z", "-4000*w + 512*z"] {
         rejected(changed(&|a| a.forms.last_mut().unwrap().1 = form(&statement, text)));
     }
     // The reader: what is no form, or would leave values out.
-    for (name, text) in [(1, "z^2"), (1, "w"), (1, "3"), (1, "z*w"), (1, "sqrt(2)*z"), (1, "0"), (0, "w")] {
+    for (name, text) in [(1, "z^2"), (1, "w"), (1, "3"), (1, "w*z"), (1, "sqrt(2)*z"), (1, "0"), (0, "w")] {
         let error = changed(&|a| a.forms = vec![(name, form(&statement, text))]);
         let CheckError::Certificate(CertificateError {
             fault: CertificateFault::Line { expected, .. }, ..
