@@ -35,6 +35,7 @@ fn check_of_an_enclosure(bencher: Bencher<'_, '_>, places: u32) {
 #[divan::bench(sample_count = 3)]
 fn best_minimax() {
     let (statement, _) = paper();
-    let search = Search { objective: Objective::Minimax, points: 101, pass: vec![], places: 12, seed: 1 };
+    let search =
+        Search { objective: Objective::Minimax, points: 101, pass: vec![], places: Some(12), seed: 1 };
     approximate(&statement, &search, &Control::default()).unwrap();
 }

@@ -5,23 +5,21 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::descent::{GRID, descend};
-use super::enclosure::{Enclosure, EnclosureError, enclose};
+use super::enclosure::{Enclosure, EnclosureError, enclose, quantity_of};
 use super::extremes::{Place, local_extremes};
-use super::fixed::to_f64;
 use super::model::Model;
+use super::normal::{Normal, decimal_exponent};
 use super::objective::Objective;
 use super::polish::polish;
-use super::recognise::recognise;
-use super::start::{least_squares, start};
-use super::unreachable::products;
-use crate::algebra::{FieldElement, polynomial_from_exact, polynomial_to_exact};
+use super::recognise::recognised;
+use super::start::{Stopped, least_squares, start};
+use crate::certificate::Quantity;
 use crate::elimination::{Control, Interrupted};
 use crate::exact::Polynomial;
-use crate::prove::field_of;
 use crate::statement::Statement;
 
-/// Decimals of the values.
-const DECIMALS: u32 = 15;
+/// Decimals of values near 1.
+const DECIMALS: i64 = 15;
 
 /// What is looked for, and how.
 #[derive(Debug, Clone)]
@@ -32,8 +30,8 @@ pub struct Search {
     pub points: usize,
     /// For least squares: points (u, v) where the patch is to be on the surface.
     pub pass: Vec<(f64, f64)>,
-    /// Decimal places of the enclosure.
-    pub places: u32,
+    /// Decimal places of the enclosure; without a wish 12 for the radius, and for F/Wᵉ as many digits.
+    pub places: Option<u32>,
     /// Where the random starts begin.
     pub seed: u64,
 }
@@ -41,14 +39,33 @@ pub struct Search {
 /// What was found.
 #[derive(Debug, Clone)]
 pub struct Approximation {
-    /// The values as they were found.
-    pub found: Vec<f64>,
-    /// Whether these are exact elements of K of small height, not decimals.
+    /// The values as they were found, in decimals.
+    pub found: Decimals,
+    /// Whether the values that were taken are not these, but elements of K of small height near them. That these are the best values is
+    /// a guess; what is proved is the enclosure at them.
     pub recognised: bool,
     /// The values that were taken, and between what they keep the patch.
     pub enclosure: Enclosure,
     /// The local extremes of the deviation.
     pub extremes: Vec<Place>,
+}
+
+/// Values in decimals.
+#[derive(Debug, Clone)]
+pub struct Decimals {
+    /// One constant for each unknown.
+    pub values: Vec<Polynomial>,
+    /// How many decimals each has; fewer than none means zeros before the point.
+    pub places: Vec<i64>,
+}
+
+/// What a search had when it was stopped; nothing of it is proved.
+#[derive(Debug, Clone)]
+pub struct BestSoFar {
+    /// The best values so far.
+    pub values: Decimals,
+    /// The least and the greatest deviation there (r − 1, or F/Wᵉ), measured in floating point.
+    pub measured: [f64; 2],
 }
 
 /// Why nothing was found.
@@ -59,24 +76,26 @@ pub enum ApproximationError {
     #[error("there is no patch with unknowns to choose; `bound` encloses one without")]
     NothingToChoose,
     /// No start led to a patch with a positive denominator.
-    #[error("no values with a positive denominator were found from {0} random starts; try another --seed")]
+    #[error("no values with a positive denominator were found from {0} starts; try another --seed")]
     NoStart(usize),
+    /// A control point at infinity, written in Cartesian coordinates.
+    #[error(
+        "at the best values found a control point has weight 0, so that its Cartesian coordinates are infinite; \
+         write the net with convention = \"homogeneous\""
+    )]
+    AtInfinity,
     /// Interrupted.
     #[error("{0}")]
-    Interrupted(Interrupted),
+    Interrupted(Interrupted, Option<Box<BestSoFar>>),
     /// No enclosure.
     #[error("{0}")]
     Enclosure(#[from] EnclosureError),
 }
 
-impl From<Interrupted> for ApproximationError {
-    fn from(why: Interrupted) -> Self {
-        ApproximationError::Interrupted(why)
-    }
-}
-
-/// Finds the best values in floating point, and encloses the patch at decimals near them, or at exact values that they seem to
+/// Looks for the best values in floating point, and encloses the patch at decimals near them, or at exact values that they seem to
 /// be. That the values are best is not proved by this; `exclude` proves it.
+///
+/// The search works with unknowns in their own units, so that it does not depend on what the patch is measured in.
 ///
 /// # Errors
 /// [`ApproximationError`]
@@ -85,64 +104,96 @@ pub fn approximate(
     search: &Search,
     control: &Control<'_>,
 ) -> Result<Approximation, ApproximationError> {
-    let model = Model::of(statement).filter(|model| model.unknowns() > 0);
-    let model = model.ok_or(ApproximationError::NothingToChoose)?;
-    let from = start(&model, search.seed, control)?;
-    let from = from.ok_or(ApproximationError::NoStart(super::start::STARTS))?;
-    let intervals = search.points.max(2) - 1;
-    let squares = least_squares(&model, &from, intervals, &search.pass);
-    let squares = polish(&model, &squares, intervals, &search.pass);
-    let found = match search.objective {
-        Objective::LeastSquares => squares,
-        objective => descend(&model, &squares, objective, control)?,
-    };
-    let extremes = local_extremes(&model.at(&found), GRID);
-    let exact = guessed(statement, &found);
+    let normal = Normal::of(statement).map_err(EnclosureError::Limit)?;
+    let normal = normal.filter(|normal| !normal.unknowns.is_empty());
+    let normal = normal.ok_or(ApproximationError::NothingToChoose)?;
+    let model = Model::normal(statement, &normal).ok_or(ApproximationError::NothingToChoose)?;
+    let found = searched(&model, &normal, search, control).map_err(|Stopped { why, best }| {
+        let best = best.and_then(|y| BestSoFar::at(&model, &normal, &y));
+        ApproximationError::Interrupted(why, best.map(Box::new))
+    })?;
+    let y = found.ok_or(ApproximationError::NoStart(super::start::STARTS))?;
+    let decimals = Decimals::of(&normal, &y).ok_or(ApproximationError::AtInfinity)?;
+    let exact = recognised(statement, &normal, &y);
     let recognised = exact.is_some();
-    let values = exact.unwrap_or_else(|| found.iter().map(|&value| decimal(value)).collect());
-    let enclosure = enclose(statement, &values, search.places, control)?;
-    Ok(Approximation { found, recognised, enclosure, extremes })
+    let values = exact.unwrap_or_else(|| decimals.values.clone());
+    let places = search.places.unwrap_or_else(|| natural_places(statement, &normal));
+    let enclosure = enclose(statement, &values, places, control).map_err(|error| match error {
+        EnclosureError::Interrupted(why) => {
+            ApproximationError::Interrupted(why, BestSoFar::at(&model, &normal, &y).map(Box::new))
+        }
+        error => ApproximationError::Enclosure(error),
+    })?;
+    let extremes = extremes(&model, &y);
+    Ok(Approximation { found: decimals, recognised, enclosure, extremes })
 }
 
-/// The number with so many decimals, exactly.
-fn decimal(value: f64) -> Polynomial {
-    let unit = BigInt::from(10).pow(DECIMALS);
-    let exact = BigRational::from_float(value).unwrap_or_default() * BigRational::from_integer(unit.clone());
-    Polynomial::rational(BigRational::new(exact.round().to_integer(), unit))
+/// The best values by their own units; nothing if no start led to a positive denominator.
+fn searched(
+    model: &Model,
+    normal: &Normal,
+    search: &Search,
+    control: &Control<'_>,
+) -> Result<Option<Vec<f64>>, Stopped> {
+    let Some(from) = start(model, normal.fairest.as_deref(), search.seed, control)? else { return Ok(None) };
+    let intervals = search.points.max(2) - 1;
+    let squares = least_squares(model, &from, intervals, &search.pass, control)?;
+    let squares = polish(model, &squares, intervals, &search.pass);
+    Ok(Some(match search.objective {
+        Objective::LeastSquares => squares,
+        objective => descend(model, &squares, objective, control)?,
+    }))
 }
 
-/// Elements of K of small height that the values seem to be: all of them, or, for a coordinate of a point with an unknown
-/// weight, its product with that.
-fn guessed(statement: &Statement, values: &[f64]) -> Option<Vec<Polynomial>> {
-    let field = field_of(statement);
-    let products = products(statement);
-    let mut exact: Vec<Option<FieldElement>> = Vec::new();
-    for (k, &value) in values.iter().enumerate() {
-        let factor = products.iter().find(|(z, _)| usize::from(*z) == k).map(|(_, w)| usize::from(*w));
-        exact.push(Some(recognise(factor.map_or(value, |w| value * values[w]), field)?));
+/// The local extremes of the deviation, in its own unit.
+fn extremes(model: &Model, y: &[f64]) -> Vec<Place> {
+    let places = local_extremes(&model.at(y), GRID);
+    places.into_iter().map(|place| Place { value: place.value * model.unit(), ..place }).collect()
+}
+
+/// As many decimals of F/Wᵉ as twelve are of the radius of a unit sphere.
+fn natural_places(statement: &Statement, normal: &Normal) -> u32 {
+    let exponent = match quantity_of(statement) {
+        Some(Quantity::Ratio) => decimal_exponent(normal.ratio),
+        _ => 0,
+    };
+    u32::try_from((12 - exponent).clamp(1, 100)).unwrap_or(12)
+}
+
+impl Decimals {
+    /// Of values in their own units: as many digits as a double has.
+    fn of(normal: &Normal, y: &[f64]) -> Option<Self> {
+        let exact = normal.undone(&normal.exactly(y))?;
+        let places = normal.decimals(DECIMALS);
+        let rounded = |(value, &places): (&BigRational, &i64)| {
+            let unit = ten(places);
+            Polynomial::rational(BigRational::from_integer((value * &unit).round().to_integer()) / unit)
+        };
+        Some(Decimals { values: exact.iter().zip(&places).map(rounded).collect(), places })
     }
-    for &(z, w) in &products {
-        let [product, weight] = [z, w].map(|k| exact[usize::from(k)].clone());
-        exact[usize::from(z)] = Some(&product? * &weight?.inverse()?);
-    }
-    let constants = exact.into_iter().flatten().map(crate::algebra::Polynomial::constant);
-    constants.map(|value| polynomial_to_exact(&value).ok()).collect()
 }
 
-/// The values of an enclosure in floating point.
-pub fn approximately(statement: &Statement, values: &[Polynomial]) -> Vec<f64> {
-    let field = field_of(statement);
-    let constant =
-        |value: &Polynomial| polynomial_from_exact(field, value).as_constant().map(|value| to_f64(&value));
-    values.iter().map(|value| constant(value).unwrap_or(f64::NAN)).collect()
+impl BestSoFar {
+    fn at(model: &Model, normal: &Normal, y: &[f64]) -> Option<Self> {
+        let values = Decimals::of(normal, y)?;
+        let extremes = extremes(model, y);
+        let of = |sign: f64| extremes.iter().map(|place| sign * place.value).reduce(f64::max);
+        Some(BestSoFar { values, measured: [-of(-1.0)?, of(1.0)?] })
+    }
+}
+
+/// 10ⁿ.
+fn ten(exponent: i64) -> BigRational {
+    let size = BigRational::from_integer(BigInt::from(10).pow(exponent.unsigned_abs() as u32));
+    if exponent < 0 { size.recip() } else { size }
 }
 
 /// The largest distance of the quantity from what it is on the surface, as the bounds have it, in units of the last place.
 pub fn error_of(enclosure: &Enclosure) -> BigInt {
     let bounds = &enclosure.bounds;
     let centre = match bounds.quantity {
-        crate::certificate::Quantity::Radius => BigInt::from(10).pow(bounds.places),
-        crate::certificate::Quantity::Ratio => BigInt::from(0),
+        Quantity::Radius => BigInt::from(10).pow(bounds.places),
+        Quantity::Ratio => BigInt::from(0),
     };
     let [below, above] = [&centre - &bounds.lower.bound, &bounds.upper.bound - &centre];
     below.max(above).abs()

@@ -9,9 +9,11 @@ use std::collections::VecDeque;
 use microlp::{ComparisonOp, OptimizationDirection, Problem};
 
 use super::extremes::{Place, local_extremes};
+use super::linear::Orthogonal;
 use super::model::{Deviation, Fitted, Model};
 use super::objective::{Objective, PENALTY};
-use crate::elimination::{Control, Interrupted, Progress};
+use super::start::Stopped;
+use crate::elimination::{Control, Progress};
 
 /// Intervals of the grid on which extremes are looked for.
 pub(super) const GRID: usize = 64;
@@ -25,33 +27,47 @@ pub(super) fn descend(
     start: &[f64],
     objective: Objective,
     control: &Control<'_>,
-) -> Result<Vec<f64>, Interrupted> {
+) -> Result<Vec<f64>, Stopped> {
     let mut values = start.to_vec();
     let mut radius = 0.05;
     let mut points: VecDeque<Vec<Place>> = VecDeque::new();
     let mut extremes = local_extremes(&model.at(&values), GRID);
     let mut merit = objective.of(&extremes) + beside(&model.at(&values), objective);
     for round in 1..=ROUNDS {
-        control.check()?;
-        control.observe(&Progress::Descent { round, reached: format!("{merit:.6e}") });
+        control.check().map_err(|why| Stopped { why, best: Some(values.clone()) })?;
+        control.observe(&Progress::Descent { round, reached: format!("{:.6e}", merit * model.unit()) });
         points.push_front(extremes.clone());
         points.truncate(KEPT);
         let fitted = model.at(&values);
         let kept: Vec<Place> = points.iter().flatten().copied().collect();
-        let Some(step) = linear_step(&fitted, &kept, objective, radius, merit) else {
+        let try_step = |step: &[f64]| {
+            let moved: Vec<f64> = values.iter().zip(step).map(|(x, dx)| x + dx).collect();
+            let next = model.at(&moved);
+            let found = local_extremes(&next, GRID);
+            let reached = objective.of(&found) + beside(&next, objective);
+            // Not a number: the step went through a zero of the denominator.
+            let better = reached < merit && next.smallest_weight(GRID) > 0.0;
+            (better, moved, reached, found)
+        };
+        let Some(step) = linear_step(&fitted, &kept, objective, radius, merit, None) else {
             radius /= 4.0;
             if radius < 1e-13 {
                 break;
             }
             continue;
         };
-        let moved: Vec<f64> = values.iter().zip(&step).map(|(x, dx)| x + dx).collect();
         let length = step.iter().fold(0.0f64, |length, dx| length.max(dx.abs()));
-        let next = model.at(&moved);
-        let found = local_extremes(&next, GRID);
-        let reached = objective.of(&found) + beside(&next, objective);
-        // Not a number: the step went through a zero of the denominator.
-        if reached < merit && next.smallest_weight(GRID) > 0.0 {
+        let (mut better, mut moved, mut reached, mut found) = try_step(&step);
+        if !better {
+            // Along a curved valley a straight step climbs its side: once more, with the deviations as they are there.
+            let there = model.at(&moved);
+            points.push_front(found.clone());
+            let corrected = linear_step(&fitted, &kept, objective, radius, merit, Some((&there, &step)));
+            if let Some(step) = corrected {
+                (better, moved, reached, found) = try_step(&step);
+            }
+        }
+        if better {
             let gain = (merit - reached) / merit;
             (values, merit, extremes) = (moved, reached, found);
             radius = (radius * 2.0).min(0.5);
@@ -69,19 +85,33 @@ pub(super) fn descend(
     Ok(values)
 }
 
-/// The step of at most `radius` in each unknown that is best for the linearised deviations at the points.
+/// The step of at most `radius` in each unknown that is best for the linearised deviations at the points. If the deviations after some
+/// step are known, the linear functions agree with them there.
 fn linear_step(
     fitted: &Fitted<'_>,
     points: &[Place],
     objective: Objective,
     radius: f64,
     scale: f64,
+    known: Option<(&Fitted<'_>, &[f64])>,
 ) -> Option<Vec<f64>> {
     // In units in which the deviations and the steps are near 1, as the solver's tolerance wants it.
-    let deviations: Vec<_> = points.iter().map(|place| fitted.deviation(place.u, place.v)).collect();
+    let at = |place: &Place| {
+        let mut deviation = fitted.deviation(place.u, place.v);
+        if let Some((there, step)) = known {
+            let linear = deviation.gradient.iter().zip(step).map(|(slope, dx)| slope * dx);
+            deviation.value = there.value(place.u, place.v) - linear.sum::<f64>();
+        }
+        deviation
+    };
+    let deviations: Vec<_> = points.iter().map(at).collect();
     let steepest =
         deviations.iter().flat_map(|d| &d.gradient).fold(0.0f64, |most, slope| most.max(slope.abs()));
+    // Nothing is to be gained where no unknown changes anything, or nothing is left.
     let unit = (scale / steepest).min(radius);
+    if unit.is_nan() || unit <= 0.0 || steepest <= 0.0 {
+        return None;
+    }
     let scale = unit * steepest;
     let mut problem = Problem::new(OptimizationDirection::Minimize);
     let free = (f64::NEG_INFINITY, f64::INFINITY);
@@ -99,29 +129,44 @@ fn linear_step(
         problem.add_constraint([(both, 1.0), (above, -1.0)], ComparisonOp::Ge, 0.0);
         problem.add_constraint([(both, 1.0), (below, -1.0)], ComparisonOp::Ge, 0.0);
     }
+    // Along long flat valleys the slopes of all deviations nearly cancel: the program is written in coordinates in which they do not.
+    let slopes = |deviation: &Deviation| -> Vec<f64> {
+        deviation.gradient.iter().map(|slope| slope * unit / scale).collect()
+    };
+    let rows: Vec<Vec<f64>> = deviations.iter().map(slopes).collect();
+    let columns = (0..rows.first()?.len()).map(|k| rows.iter().map(|row| row[k]).collect()).collect();
+    let basis = Orthogonal::of(columns);
+    let unknowns: Vec<_> = rows.first()?.iter().map(|_| problem.add_var(0.0, free)).collect();
+    let sum = |slopes: &[f64], sign: f64| -> Vec<_> {
+        let slopes = basis.slopes(slopes).into_iter().map(|slope| sign * slope);
+        unknowns.iter().copied().zip(slopes).filter(|(_, slope)| slope.abs() > 1e-9).collect()
+    };
+    // No step is longer than the radius in any unknown.
     let bound = radius / unit;
-    let unknowns: Vec<_> =
-        deviations.first()?.gradient.iter().map(|_| problem.add_var(0.0, (-bound, bound))).collect();
-    for deviation in &deviations {
+    for k in 0..unknowns.len() {
+        let mut row = vec![0.0; unknowns.len()];
+        row[k] = 1.0 / bound;
+        for sign in [1.0, -1.0] {
+            problem.add_constraint(sum(&row, sign), ComparisonOp::Le, 1.0);
+        }
+    }
+    for (deviation, slopes) in deviations.iter().zip(&rows) {
         for (side, sign) in [(above, 1.0), (below, -1.0)] {
-            let slopes =
-                unknowns.iter().zip(&deviation.gradient).map(|(&x, slope)| (x, -sign * slope * unit / scale));
-            let row: Vec<_> =
-                [(side, 1.0)].into_iter().chain(slopes.filter(|(_, slope)| slope.abs() > 1e-7)).collect();
+            let row = [vec![(side, 1.0)], sum(slopes, -sign)].concat();
             problem.add_constraint(&row, ComparisonOp::Ge, sign * deviation.value / scale);
         }
     }
     for (deviation, sign) in edges(fitted, objective) {
         // sign·(value + slopes·step) ≥ 0, but for what is paid for.
         let side = if objective == Objective::Outer { below } else { above };
-        let slopes =
-            unknowns.iter().zip(&deviation.gradient).map(|(&x, slope)| (x, sign * slope * unit / scale));
-        let row: Vec<_> =
-            [(side, 1.0)].into_iter().chain(slopes.filter(|(_, slope)| slope.abs() > 1e-7)).collect();
+        let row = [vec![(side, 1.0)], sum(&slopes(&deviation), sign)].concat();
         problem.add_constraint(&row, ComparisonOp::Ge, -sign * deviation.value / scale);
     }
     let solution = problem.solve().ok()?.into_solution().ok()?;
-    let step: Vec<f64> = unknowns.iter().map(|&x| solution.var_value(x) * unit).collect();
+    let white: Vec<f64> = unknowns.iter().map(|&x| solution.var_value(x)).collect();
+    let step: Vec<f64> = basis.step(&white).into_iter().map(|dx| dx * unit).collect();
+    // The solver keeps its bounds to its tolerance only.
+    let step: Vec<f64> = step.into_iter().map(|dx| dx.clamp(-radius, radius)).collect();
     step.iter().all(|dx| dx.is_finite()).then_some(step)
 }
 

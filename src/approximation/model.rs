@@ -2,9 +2,11 @@
 
 use itertools::iproduct;
 
-use super::enclosure::quantity_of;
-use super::fixed::to_f64;
-use crate::algebra::Polynomial;
+use super::enclosure::{EnclosureError, patch_at, quantity_of};
+use super::frame::Frame;
+use super::normal::{Normal, rounded};
+use super::size::{power_of_two, scaled};
+use crate::algebra::{MultiquadraticField, Polynomial};
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::Quantity;
 use crate::exact;
@@ -30,6 +32,8 @@ pub struct Model {
     degree: i32,
     quantity: Quantity,
     unknowns: usize,
+    /// Deviations are in units of 2 to the power of this.
+    ratio: i64,
 }
 
 /// The model at certain values of the unknowns: F and W, and their derivatives, by Bernstein coefficients.
@@ -52,21 +56,50 @@ pub struct Deviation {
 }
 
 impl Model {
-    /// Of a statement about a patch; `None` for a system.
+    /// Of a statement about a patch, by its own unknowns; `None` for a system.
     pub fn of(statement: &Statement) -> Option<Self> {
         let Subject::Patch(patch) = statement.subject() else { return None };
+        let weight = rounded(Frame::of(field_of(statement), patch).weight);
+        Model::by(statement, patch, statement.unknowns().len(), weight, 0)
+    }
+
+    /// Of the patch at these values, exactly, before anything is rounded; no unknowns are left.
+    ///
+    /// # Errors
+    /// For a system, and where a limit of the format is exceeded.
+    pub fn at_values(statement: &Statement, values: &[exact::Polynomial]) -> Result<Self, EnclosureError> {
+        let patch = patch_at(statement, values)?;
+        let weight = rounded(Frame::of(field_of(statement), &patch).weight);
+        Model::by(statement, &patch, 0, weight, 0).ok_or(EnclosureError::NotAPatch)
+    }
+
+    /// By unknowns in their own units, deviations in units of what is natural for the object.
+    pub(super) fn normal(statement: &Statement, normal: &Normal) -> Option<Self> {
+        // A radius is without units as it is.
+        let ratio = if quantity_of(statement)? == Quantity::Radius { 0 } else { normal.ratio };
+        Model::by(statement, &normal.patch, normal.unknowns.len(), normal.weight, ratio)
+    }
+
+    fn by(statement: &Statement, patch: &Patch, unknowns: usize, weight: i64, ratio: i64) -> Option<Self> {
         let quantity = quantity_of(statement)?;
         let field = field_of(statement);
-        let along = |surface: exact::Polynomial| {
-            Form::of(&surface_condition(field, &Patch { surface, ..patch.clone() }))
+        let degree = i64::from(patch.surface.degree());
+        let along = |surface: exact::Polynomial, size: i64| {
+            Form::of(field, &Patch { surface, ..patch.clone() }, -size)
         };
         Some(Model {
-            surface: along(patch.surface.clone()),
-            weight: along(exact::Polynomial::variable(3)),
+            surface: along(patch.surface.clone(), degree * weight + ratio),
+            weight: along(exact::Polynomial::variable(3), weight),
             degree: patch.surface.degree() as i32,
             quantity,
-            unknowns: statement.unknowns().len(),
+            unknowns,
+            ratio,
         })
+    }
+
+    /// The unit of deviations.
+    pub fn unit(&self) -> f64 {
+        power_of_two(self.ratio)
     }
 
     /// How many unknowns there are.
@@ -81,12 +114,14 @@ impl Model {
 }
 
 impl Form {
-    fn of(form: &BernsteinForm) -> Self {
+    /// The surface condition of a patch, its coefficients times a power of two: exact until they are rounded.
+    fn of(field: MultiquadraticField, patch: &Patch, exponent: i64) -> Self {
+        let form: BernsteinForm = surface_condition(field, patch);
         let (m, n) = form.bidegree();
         let terms = |polynomial: &Polynomial| {
             let term = |(monomial, value): &(crate::algebra::Monomial, crate::algebra::FieldElement)| {
                 let powers = monomial.powers().iter().map(|&(k, e)| (usize::from(k), e as i32)).collect();
-                (to_f64(value), powers)
+                (scaled(value, exponent), powers)
             };
             polynomial.terms().iter().map(term).collect()
         };

@@ -2,6 +2,7 @@
 
 use itertools::iproduct;
 
+use super::linear::solved;
 use super::model::Model;
 
 /// A few steps from near the optimum; the values as they were if these do not settle.
@@ -42,23 +43,4 @@ pub(super) fn polish(model: &Model, from: &[f64], intervals: usize, pass: &[(f64
         }
     }
     values
-}
-
-/// The solution of a square system whose rows end with the right side, by elimination with pivots.
-fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
-    let size = rows.len();
-    for column in 0..size {
-        let pivot =
-            (column..size).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
-        rows.swap(column, pivot);
-        let leading = rows[column].clone();
-        if leading[column].abs() < 1e-300 {
-            return None;
-        }
-        for (_, row) in rows.iter_mut().enumerate().filter(|(number, _)| *number != column) {
-            let factor = row[column] / leading[column];
-            row.iter_mut().zip(&leading).for_each(|(entry, lead)| *entry -= factor * lead);
-        }
-    }
-    Some((0..size).map(|k| rows[k][size] / rows[k][k]).collect())
 }

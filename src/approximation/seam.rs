@@ -2,7 +2,9 @@
 
 use super::EnclosureError;
 use super::enclosure::patch_at;
-use super::fixed::to_f64;
+use super::frame::Frame;
+use super::normal::rounded;
+use super::size::scaled;
 use crate::algebra::polynomial_from_exact;
 use crate::exact::Polynomial;
 use crate::prove::field_of;
@@ -35,8 +37,10 @@ impl FloatPatch {
     pub fn at(statement: &Statement, values: &[Polynomial]) -> Result<Self, EnclosureError> {
         let patch = patch_at(statement, values)?;
         let field = field_of(statement);
+        // Homogeneous coordinates of any size: they are divided by that of the weights before they are rounded.
+        let unit = rounded(Frame::of(field, &patch).weight);
         let number = |entry: &Polynomial| {
-            polynomial_from_exact(field, entry).as_constant().map_or(f64::NAN, |value| to_f64(&value))
+            polynomial_from_exact(field, entry).as_constant().map_or(f64::NAN, |value| scaled(&value, -unit))
         };
         let net = patch.net.iter().flatten().map(|point| point.each_ref().map(number)).collect();
         Ok(FloatPatch { bidegree: (patch.bidegree.0 as usize, patch.bidegree.1 as usize), net })

@@ -15,6 +15,7 @@ use num_traits::One;
 use super::chart::{Inequality, Region, SideForm, inequalities};
 use super::enclosure::quantity_of;
 use super::extremes::Place;
+use super::normal::{Normal, power as power_of_two};
 use crate::algebra::Integer;
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{
@@ -24,7 +25,7 @@ use crate::checker::{CheckError, Theorem, check_read};
 use crate::elimination::{Control, Interrupted, Progress};
 use crate::exact::{self, Limit, Work};
 use crate::prove::field_of;
-use crate::statement::{Patch, Statement, Subject};
+use crate::statement::{Patch, Statement};
 
 /// What the first chart reaches.
 const RANGE: i64 = 8;
@@ -65,6 +66,8 @@ pub enum UnreachableError {
 pub struct Barrier {
     /// How many boxes were excluded.
     pub boxes: usize,
+    /// Half of what lies between the decimals that no values stay between.
+    pub half_width: BigRational,
     /// The certificate.
     pub certificate: Certificate,
     /// What the checker made of it.
@@ -88,38 +91,75 @@ pub fn exclude(
     let quantity =
         quantity_of(statement).filter(|_| unknowns > 0).ok_or(UnreachableError::NothingToChoose)?;
     let samples = samples(extremes);
-    let products = products(statement);
-    let forms = forms(statement, quantity, &between, places, &products)?;
+    let normal = Normal::of(statement)?.ok_or(UnreachableError::NothingToChoose)?;
+    let forms = forms(statement, quantity, &between, places, &normal)?;
+    let units = SideUnits::of(&normal, quantity);
     let mut charts = Vec::new();
     let mut boxes = 0;
     for chart in 0..Unreachable::chart_count(unknowns) {
         let inequalities = inequalities(&forms, &samples, chart, RANGE as f64);
         let far = chart.checked_sub(1).map(|chart| chart / 2);
         let whole: Region = (0..unknowns).map(|k| (if far == Some(k) { 0.0 } else { -1.0 }, 1.0)).collect();
-        charts.push(cover(&inequalities, whole, chart + 1, &mut boxes, control)?);
+        charts.push(cover(&inequalities, units, whole, chart + 1, &mut boxes, control)?);
     }
     let (samples, charts) = used(&samples, charts);
     let [lower, upper] = between;
-    let argument =
-        Unreachable { quantity, places, lower, upper, products, range: BigInt::from(RANGE), samples, charts };
+    let half_width = decimal_value(&(&upper - &lower), places) / BigRational::from_integer(2.into());
+    let argument = Unreachable {
+        quantity,
+        places,
+        lower,
+        upper,
+        products: normal.products.clone(),
+        forms: normal.forms(),
+        range: BigInt::from(RANGE),
+        samples,
+        charts,
+    };
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Unreachable(argument) };
     let theorem = check_read(statement, &certificate).map_err(|error| match error.limit() {
         Some(limit) => UnreachableError::Limit(limit.clone()),
         None => UnreachableError::Refused(error),
     })?;
-    Ok(Barrier { boxes, certificate, theorem })
+    Ok(Barrier { boxes, half_width, certificate, theorem })
 }
 
-/// F − low·Wᵉ, high·Wᵉ − F and W.
+/// Powers of two that the sides are measured in, so that none is lost beside another: F and Wᵉ, and W.
+#[derive(Debug, Clone, Copy)]
+struct SideUnits {
+    surface: i64,
+    weight: i64,
+}
+
+impl SideUnits {
+    fn of(normal: &Normal, quantity: Quantity) -> Self {
+        let ratio = if quantity == Quantity::Radius { 0 } else { normal.ratio };
+        let degree = i64::from(normal.patch.surface.degree());
+        SideUnits { surface: degree * normal.weight + ratio, weight: normal.weight }
+    }
+
+    fn exponent(self, side: Side) -> i64 {
+        if side == Side::Weight { self.weight } else { self.surface }
+    }
+
+    /// Multipliers of sides in these units as multipliers of the sides themselves: integers without a common power of two.
+    fn undone(self, sum: &mut [(BigInt, Side, usize)]) {
+        let largest = sum.iter().map(|(_, side, _)| self.exponent(*side)).max().unwrap_or(0);
+        for (factor, side, _) in sum {
+            *factor <<= (largest - self.exponent(*side)).unsigned_abs();
+        }
+    }
+}
+
+/// F − low·Wᵉ, high·Wᵉ − F and W, by unknowns in their own units, in the units of the sides.
 fn forms(
     statement: &Statement,
     quantity: Quantity,
     between: &[Units; 2],
     places: u32,
-    products: &[(u16, u16)],
+    normal: &Normal,
 ) -> Result<Vec<SideForm>, UnreachableError> {
-    let Subject::Patch(patch) = statement.subject() else { return Err(UnreachableError::NothingToChoose) };
-    let field = field_of(statement);
+    let (field, patch) = (field_of(statement), &normal.patch);
     let along = |surface: exact::Polynomial| surface_condition(field, &Patch { surface, ..patch.clone() });
     let weight = exact::Polynomial::variable(3);
     let power = weight.power(patch.surface.degree(), statement.field(), &mut Work::full())?;
@@ -130,39 +170,19 @@ fn forms(
         field.rational(Integer::from_bigint(value.numer()), Integer::from_bigint(value.denom()))
     };
     let (low, high) = (threshold(&between[0]), threshold(&between[1]));
-    let one = field.one();
+    let units = SideUnits::of(normal, quantity);
+    let [unit, of_weight] = [Side::Lower, Side::Weight].map(|side| {
+        let unit = power_of_two(-units.exponent(side));
+        field.rational(Integer::from_bigint(unit.numer()), Integer::from_bigint(unit.denom()))
+    });
     let sides: [(Side, Vec<(&BernsteinForm, _)>); 3] = [
-        (Side::Lower, vec![(&surface, one.clone()), (&power, -&low)]),
-        (Side::Upper, vec![(&power, high), (&surface, -&one)]),
-        (Side::Weight, vec![(&weight, one)]),
+        (Side::Lower, vec![(&surface, unit.clone()), (&power, -&(&low * &unit))]),
+        (Side::Upper, vec![(&power, &high * &unit), (&surface, -&unit)]),
+        (Side::Weight, vec![(&weight, of_weight)]),
     ];
     let unknowns = statement.unknowns().len();
-    let read = sides.iter().map(|(side, parts)| SideForm::new(*side, parts, unknowns, products));
+    let read = sides.iter().map(|(side, parts)| SideForm::new(*side, parts, unknowns, &[]));
     read.collect::<Option<_>>().ok_or(UnreachableError::NothingToChoose)
-}
-
-/// Unknown coordinates z of points whose unknown weight is w: in homogeneous coordinates the product z·w is the unknown. (Where z
-/// grows as w vanishes, only the product tells what becomes of the patch.)
-pub(super) fn products(statement: &Statement) -> Vec<(u16, u16)> {
-    let Subject::Patch(patch) = statement.subject() else { return Vec::new() };
-    let entries = || patch.net.iter().flatten().flatten();
-    let mut found: BTreeMap<u16, Option<u16>> = BTreeMap::new();
-    for (monomial, _) in entries().flat_map(exact::Polynomial::terms) {
-        match monomial.powers() {
-            &[(a, 1), (b, 1)] => {
-                for (z, w) in [(a, b), (b, a)] {
-                    let other = found.entry(z).or_insert(Some(w));
-                    *other = other.filter(|&other| other == w);
-                }
-            }
-            powers => powers.iter().for_each(|&(k, _)| {
-                found.insert(k, None);
-            }),
-        }
-    }
-    // Only where z occurs in this product alone, and w without it too.
-    let pairs = found.iter().filter_map(|(&z, w)| Some((z, (*w)?)));
-    pairs.filter(|(_, w)| found.get(w) == Some(&None)).collect()
 }
 
 /// A grid, the extremes, and points that move to the edges as an unknown grows.
@@ -204,6 +224,7 @@ fn samples(extremes: &[Place]) -> Vec<[Odds; 2]> {
 /// Covers a chart with boxes, each excluded.
 fn cover(
     inequalities: &[Inequality],
+    units: SideUnits,
     whole: Region,
     chart: usize,
     boxes: &mut usize,
@@ -213,7 +234,8 @@ fn cover(
     let mut nodes = Vec::new();
     while let Some((region, depth)) = open.pop() {
         control.check().map_err(UnreachableError::Interrupted)?;
-        if let Some(sum) = excluded(inequalities, &region) {
+        if let Some(mut sum) = excluded(inequalities, &region) {
+            units.undone(&mut sum);
             nodes.push(Node::Excluded(sum));
             *boxes += 1;
             if boxes.is_multiple_of(64) {

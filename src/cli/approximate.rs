@@ -1,9 +1,10 @@
-//! `prove-cap approximate NAME|FILE`: best values of the unknowns, enclosed, and if asked for proved best.
+//! `prove-cap approximate NAME|FILE`: the best values of the unknowns that are found, enclosed, and if asked for proved best.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use num_bigint::BigInt;
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::arguments::{Format, to_json};
@@ -15,15 +16,17 @@ use super::plot::PlotOptions;
 use super::source::Source;
 use super::values::{point, tolerance};
 use crate::approximation::{
-    Approximation, ApproximationError, Barrier, Objective, Search, UnreachableError, approximate, error_of,
-    exclude,
+    Approximation, ApproximationError, Barrier, BestSoFar, Objective, Search, UnreachableError, approximate,
+    error_of, exclude,
 };
-use crate::elimination::Control;
+use crate::certificate::Quantity;
+use crate::elimination::{Control, Interrupted};
 use crate::report::Files;
 use crate::report::bounds::{
-    barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, error_value, scientific,
-    symbol,
+    Gap, barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, error_value, symbol,
 };
+use crate::report::rounding::{Towards, rounded};
+use crate::report::stopped::{best_so_far_data, best_so_far_text, decimals_data, stopped_by};
 
 /// How near to the best the proof that nothing is better must come.
 const WITHIN: f64 = 1e-6;
@@ -44,9 +47,9 @@ pub(super) struct ApproximateOptions {
     /// For least squares: a point of the square where the patch is to lie on the surface; may be repeated.
     #[arg(long, value_name = "U,V", value_parser = point)]
     pass: Vec<(f64, f64)>,
-    /// How near the bounds are to the true extremes.
-    #[arg(long, value_name = "SIZE", default_value = "1e-12", value_parser = tolerance)]
-    tolerance: u32,
+    /// How near the bounds are to the true extremes [default: 1e-12 for the radius; as many digits of F/Wᵉ].
+    #[arg(long, value_name = "SIZE", value_parser = tolerance)]
+    tolerance: Option<u32>,
     /// For minimax: prove that no values of the unknowns do better, up to a millionth of the error.
     #[arg(long)]
     prove_best: bool,
@@ -114,8 +117,8 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
     let (found, barrier) = match found {
         Ok(found) => found,
         Err(ApproximationError::Enclosure(error)) => return undecided(&source.name, &error, format),
-        Err(ApproximationError::Interrupted(why)) => {
-            return undecided(&source.name, &crate::approximation::EnclosureError::Interrupted(why), format);
+        Err(ApproximationError::Interrupted(why, best)) => {
+            return stopped(&source, why, best.as_deref(), format);
         }
         Err(error) => return Err(Failure(format!("{}: {error}", source.name))),
     };
@@ -123,14 +126,22 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
         None => (None, None),
         Some(Ok(barrier)) => (Some(barrier), None),
         Some(Err(UnreachableError::Refused(error))) => return Err(Failure::of(error)),
-        Some(Err(error)) => (None, Some(error.to_string())),
+        Some(Err(error)) => (None, Some(error)),
     };
     let write = |kind: &str, certificate: &crate::certificate::Certificate| {
         let text = certificate.write(&source.statement.ring());
         write_and_check(&source, options.output.as_deref(), &text, &sealed_name(kind, &text))
     };
     let files = write("bounds", &found.enclosure.certificate)?;
-    let picture = options.plot.draw(&source, degree, &found.enclosure)?;
+    let symbol = symbol(found.enclosure.bounds.quantity, degree);
+    let about = match &barrier {
+        Some(barrier) => {
+            let within = rounded(&gap(&found, barrier).relative(), 1, Towards::Above);
+            format!("{}, proved up to {within}", options.goal(&symbol))
+        }
+        None => format!("best found for: {}", options.goal(&symbol)),
+    };
+    let picture = options.plot.draw(&source, degree, &found.enclosure, Some(&about))?;
     let barrier =
         barrier.map(|barrier| Ok((write("unreachable", &barrier.certificate)?, barrier))).transpose()?;
     let status = if open.is_some() { Status::Undecided } else { Status::Established };
@@ -140,6 +151,49 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
         Format::Text | Format::Latex => answer.text(),
     };
     Ok(Outcome { text, status })
+}
+
+/// The search was stopped before anything was proved: what it had.
+fn stopped(
+    source: &Source,
+    why: Interrupted,
+    best: Option<&BestSoFar>,
+    format: Format,
+) -> Result<Outcome, Failure> {
+    let (name, statement) = (&source.name, &source.statement);
+    let text = match format {
+        Format::Json => to_json(&serde_json::json!({
+            "verdict": "UNDECIDED",
+            "name": name,
+            "reason": why.to_string(),
+            "stopped": stopped_by(why),
+            "best_found": best.map(|best| best_so_far_data(statement, best)),
+        }))?,
+        _ => {
+            let best = best.map(|best| format!("\n{}", best_so_far_text(statement, best)));
+            format!("UNDECIDED  {name}: {why}\n{}", best.unwrap_or_default())
+        }
+    };
+    Ok(Outcome { text, status: Status::Undecided })
+}
+
+impl ApproximateOptions {
+    /// What is to be as small or large as can be.
+    fn goal(&self, symbol: &str) -> String {
+        match self.objective {
+            ObjectiveName::LeastSquares => {
+                let (n, symbol) = (self.points, if symbol == "r" { "r² − 1" } else { symbol });
+                format!("least squares of {symbol} over {n} × {n} points")
+            }
+            ObjectiveName::Minimax if symbol == "r" => "smallest max |r − 1|".to_owned(),
+            ObjectiveName::Minimax => format!("smallest max |{symbol}|"),
+            ObjectiveName::Outer if symbol == "r" => "smallest max r with r ≥ 1".to_owned(),
+            ObjectiveName::Outer => format!("smallest max {symbol} with {symbol} ≥ 0"),
+            ObjectiveName::Inner if symbol == "r" => "largest min r with r ≤ 1".to_owned(),
+            ObjectiveName::Inner => format!("largest min {symbol} with {symbol} ≤ 0"),
+            ObjectiveName::Width => format!("smallest max {symbol} − min {symbol}"),
+        }
+    }
 }
 
 /// Bounds a millionth tighter than what was found, which no values reach.
@@ -153,12 +207,22 @@ fn barrier(
     let unit = BigInt::from(10).pow(places);
     let size = BigInt::from((error * (1.0 - WITHIN) * unit.to_f64().unwrap_or(f64::INFINITY)) as i128);
     let centre = match found.enclosure.bounds.quantity {
-        crate::certificate::Quantity::Radius => unit,
-        crate::certificate::Quantity::Ratio => BigInt::ZERO,
+        Quantity::Radius => unit,
+        Quantity::Ratio => BigInt::ZERO,
     };
     let worst: Vec<_> =
         found.extremes.iter().filter(|place| place.value.abs() > 0.5 * error).copied().collect();
     exclude(&source.statement, [&centre - &size, &centre + &size], places, &worst, control)
+}
+
+/// max |r − 1| as the bounds have it.
+fn reached(found: &Approximation) -> BigRational {
+    error_value(&error_of(&found.enclosure), found.enclosure.bounds.places)
+}
+
+/// What is reached, and what the checker found that no values do better than.
+fn gap(found: &Approximation, barrier: &Barrier) -> Gap {
+    Gap { reached: reached(found), unreached: barrier.half_width.clone() }
 }
 
 struct Answer<'a> {
@@ -169,7 +233,7 @@ struct Answer<'a> {
     files: Files,
     barrier: Option<(Files, Barrier)>,
     /// Why it is not proved that nothing is better.
-    open: Option<String>,
+    open: Option<UnreachableError>,
     /// The line that tells of a picture.
     picture: String,
 }
@@ -179,52 +243,31 @@ impl Answer<'_> {
         if self.open.is_some() { "UNDECIDED" } else { "PROVED" }
     }
 
-    /// max |r − 1| as the bounds have it.
-    fn error(&self) -> String {
-        let bounds = &self.found.enclosure.bounds;
-        scientific(error_value(&error_of(&self.found.enclosure), bounds.places), 4)
-    }
-
     fn text(&self) -> String {
         let (enclosure, statement) = (&self.found.enclosure, &self.source.statement);
-        let symbol = symbol(enclosure.bounds.quantity, self.degree);
-        let objective = match self.options.objective {
-            ObjectiveName::LeastSquares => {
-                let (n, symbol) = (self.options.points, if symbol == "r" { "r² − 1" } else { &symbol });
-                format!("least squares of {symbol} over {n} × {n} points")
-            }
-            ObjectiveName::Minimax if symbol == "r" => "smallest max |r − 1|".to_owned(),
-            ObjectiveName::Minimax => format!("smallest max |{symbol}|"),
-            ObjectiveName::Outer if symbol == "r" => "smallest max r with r ≥ 1".to_owned(),
-            ObjectiveName::Outer => format!("smallest max {symbol} with {symbol} ≥ 0"),
-            ObjectiveName::Inner if symbol == "r" => "largest min r with r ≤ 1".to_owned(),
-            ObjectiveName::Inner => format!("largest min {symbol} with {symbol} ≤ 0"),
-            ObjectiveName::Width => format!("smallest max {symbol} − min {symbol}"),
-        };
-        let mut text = format!(
-            "{}  {}: {} on the whole patch\n\n{}\n{objective}",
-            self.word(),
-            self.source.name,
-            enclosure_text(&enclosure.bounds, self.degree),
-            statement.title()
-        );
-        if let Some(why) = &self.open {
-            text = format!(
-                "UNDECIDED  {}: that no values do better than {} is not proved: {why}\n\nProved: {} on the whole patch\n{}\n{objective}",
+        let goal = self.options.goal(&symbol(enclosure.bounds.quantity, self.degree));
+        let bounds = enclosure_text(&enclosure.bounds, self.degree);
+        let mut text = match &self.open {
+            None => format!("{}  {}: {bounds} on the whole patch\n\n", self.word(), self.source.name),
+            Some(why) => format!(
+                "UNDECIDED  {}: that no values do better than {} is not proved: {why}\n\n\
+                 Proved: {bounds} on the whole patch\n",
                 self.source.name,
-                self.error(),
-                enclosure_text(&enclosure.bounds, self.degree),
-                statement.title()
-            );
-        }
-        text += if self.found.recognised {
-            ", at values that were recognised as elements of K\n\n"
-        } else {
-            ", at values rounded to 15 decimals\n\n"
+                rounded(&reached(&self.found), 4, Towards::Above)
+            ),
         };
+        text += &format!("{}\n", statement.title());
+        text += &match &self.barrier {
+            Some((_, barrier)) => {
+                let within = rounded(&gap(&self.found, barrier).relative(), 1, Towards::Above);
+                format!("{goal}, proved up to {within} of it\n")
+            }
+            None => format!("best found for: {goal}; found by search, not proved best\n"),
+        };
+        text += &format!("at {}\n\n", self.taken());
         text += &enclosure_details(statement, enclosure, self.degree);
         if let Some((_, barrier)) = &self.barrier {
-            text += &barrier_text(barrier, &self.error(), "a millionth");
+            text += &barrier_text(barrier, &gap(&self.found, barrier));
         }
         text += &checked_text(&enclosure.theorem, &self.files);
         if let Some((files, barrier)) = &self.barrier {
@@ -234,23 +277,48 @@ impl Answer<'_> {
         text
     }
 
+    /// Which values were taken.
+    fn taken(&self) -> String {
+        if self.found.recognised {
+            return "exact values recognised near those found; that they are the best is a guess, the bounds are proved"
+                .to_owned();
+        }
+        let places = &self.found.found.places;
+        match (places.iter().min(), places.iter().max()) {
+            (Some(least), Some(most)) if least == most && *least > 0 => {
+                format!("values rounded to {least} decimals")
+            }
+            _ => "values rounded to as many digits as the search has".to_owned(),
+        }
+    }
+
     fn data(&self) -> serde_json::Value {
         let about = (self.word(), self.source.name.as_str());
-        let mut data = enclosure_data(about, &self.source.statement, &self.found.enclosure, &self.files);
+        let statement = &self.source.statement;
+        let mut data = enclosure_data(about, statement, &self.found.enclosure, &self.files);
         data["objective"] =
             self.options.objective.to_possible_value().map(|value| value.get_name().to_owned()).into();
         data["recognised"] = self.found.recognised.into();
-        data["found"] = self.found.found.clone().into();
-        if let Some((files, barrier)) = &self.barrier {
-            data["best"] = serde_json::json!({
-                "within": WITHIN,
-                "boxes": barrier.boxes,
-                "theorem": barrier.theorem.sentence(),
-                "certificate": files.certificate.display().to_string(),
-            });
-        }
+        data["found"] = decimals_data(statement, &self.found.found);
+        data["best"] = match &self.barrier {
+            Some((files, barrier)) => {
+                let gap = gap(&self.found, barrier);
+                serde_json::json!({
+                    "proved": true,
+                    "none_better_than": gap.unreached.to_string(),
+                    "within": gap.relative().to_string(),
+                    "boxes": barrier.boxes,
+                    "theorem": barrier.theorem.sentence(),
+                    "certificate": files.certificate.display().to_string(),
+                })
+            }
+            None => serde_json::json!({ "proved": false, "how": "best found by search" }),
+        };
         if let Some(why) = &self.open {
-            data["open"] = why.clone().into();
+            data["open"] = why.to_string().into();
+            if let UnreachableError::Interrupted(why) = why {
+                data["stopped"] = stopped_by(*why).into();
+            }
         }
         data
     }

@@ -83,9 +83,9 @@ enum Command {
     Audit(AuditOptions),
     /// Enclose the radius (of another surface F/Wᵉ) over the whole patch, with a proof, at given values of the unknowns.
     Bound(BoundOptions),
-    /// Find the best values of the unknowns, and enclose the radius there, with a proof.
+    /// Search for the best values of the unknowns, and enclose the radius there, with a proof.
     Approximate(ApproximateOptions),
-    /// The best patches of the cap, degree by degree, with proved errors, and how six of them fit together.
+    /// The best patches found of the cap, degree by degree, with proved errors, and how six of them fit together.
     Table(TableOptions),
     /// Construct a patch that covers a spherical polygon exactly, and verify it.
     Construct(ConstructOptions),

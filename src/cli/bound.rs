@@ -55,7 +55,7 @@ pub(super) fn run(options: &BoundOptions, format: Format) -> Result<Outcome, Fai
     let certificate = enclosure.certificate.write(&statement.ring());
     let name = sealed_name("bounds", &certificate);
     let files = write_and_check(&source, options.output.as_deref(), &certificate, &name)?;
-    let picture = options.plot.draw(&source, degree, &enclosure)?;
+    let picture = options.plot.draw(&source, degree, &enclosure, None)?;
     let verdicts = options.claim.as_ref().map(|claim| judge(statement, &enclosure, claim)).transpose();
     let verdicts = verdicts.map_err(Failure::of)?;
     let fails = |verdict: &EndVerdict| matches!(verdict.finding, Finding::Fails { .. });

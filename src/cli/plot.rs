@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 use super::files::write_atomically;
 use super::outcome::Failure;
 use super::source::Source;
-use crate::approximation::{Enclosure, FloatPatch, Model, Place, approximately, local_extremes};
+use crate::approximation::{Enclosure, FloatPatch, Model, Place, local_extremes};
 use crate::certificate::Quantity;
 use crate::figure::{Extreme, Figure, Scene, draw};
 use crate::report::bounds::{symbol, value_text};
@@ -53,13 +53,13 @@ impl PlotOptions {
         source: &Source,
         degree: u32,
         enclosure: &Enclosure,
+        about: Option<&str>,
     ) -> Result<String, Failure> {
         let Some(file) = &self.plot else { return Ok(String::new()) };
         let statement = &source.statement;
         let bounds = &enclosure.bounds;
-        let model = Model::of(statement).ok_or_else(|| Failure("there is no patch to draw".to_owned()))?;
-        let values = approximately(statement, &bounds.values);
-        let fitted = model.at(&values);
+        let model = Model::at_values(statement, &bounds.values).map_err(Failure::of)?;
+        let fitted = model.at(&[]);
         let patch = FloatPatch::at(statement, &bounds.values).map_err(Failure::of)?;
         let named = [(&bounds.lower, false), (&bounds.upper, true)].map(|(end, maximum)| {
             let [u, v] = end.at.each_ref().map(|x| x.to_f64().unwrap_or(f64::NAN));
@@ -77,7 +77,8 @@ impl PlotOptions {
         let settings = statement.unknowns().iter().zip(&bounds.values);
         let settings: Vec<String> =
             settings.map(|(name, value)| format!("{name} = {}", value_text(statement, value))).collect();
-        let mut title = [vec![source.name.clone()], settings].concat().join(", ");
+        let name = about.map_or(source.name.clone(), |about| format!("{}, {about}", source.name));
+        let mut title = [vec![name], settings].concat().join(", ");
         if title.chars().count() > 90 {
             title = title.chars().take(88).chain(" …".chars()).collect();
         }
@@ -91,6 +92,7 @@ impl PlotOptions {
             symbol: &name,
             deviation: &|u, v| fitted.value(u, v),
             point: &|u, v| patch.jet(u, v)[0],
+            unit_sphere: bounds.quantity == Quantity::Radius,
             net: &net,
             extremes: &extremes,
         };

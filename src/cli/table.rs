@@ -1,6 +1,8 @@
 //! `prove-cap table`: how good patches of the cap are, degree by degree, and how six of them fit together.
 
 use clap::Args;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use super::arguments::{Format, to_json};
 use super::control::{Limits, under_control};
@@ -8,10 +10,13 @@ use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
 use super::values::values;
 use crate::approximation::{
-    ApproximationError, Enclosure, FloatPatch, Objective, Search, approximate, enclose, error_of,
+    ApproximationError, BestSoFar, Enclosure, EnclosureError, FloatPatch, Objective, Search, approximate,
+    enclose, error_of,
 };
-use crate::elimination::Control;
-use crate::report::bounds::{error_value, scientific};
+use crate::elimination::{Control, Interrupted};
+use crate::report::bounds::error_value;
+use crate::report::rounding::{Towards, rounded};
+use crate::report::stopped::{best_so_far_data, best_so_far_text, stopped_by};
 use crate::statement::{Statement, Subject};
 
 /// Decimals of the bounds: enough for four digits of the smallest error.
@@ -55,6 +60,8 @@ const ROWS: &[Row] = &[
 struct Line {
     name: &'static str,
     about: &'static str,
+    /// Where the values of the unknowns come from.
+    values: &'static str,
     bidegree: (u32, u32),
     unknowns: usize,
     enclosure: Enclosure,
@@ -62,58 +69,124 @@ struct Line {
     kink: f64,
 }
 
-pub(super) fn run(options: &TableOptions, format: Format) -> Result<Outcome, Failure> {
-    let lines = under_control(&options.limits, |control| {
-        ROWS.iter().map(|row| line(row, control)).collect::<Result<Option<Vec<_>>, Failure>>()
-    })??;
-    let Some(lines) = lines else {
-        let text = "UNDECIDED  the table was not finished in the time allowed\n".to_owned();
-        return Ok(Outcome { text, status: Status::Undecided });
-    };
-    match format {
-        Format::Json => {
-            let rows: Vec<_> = lines.iter().map(Line::data).collect();
-            to_json(&rows).map(Outcome::plain)
-        }
-        Format::Text | Format::Latex => Ok(Outcome::plain(text(&lines))),
-    }
+/// A row that was being computed when the work was stopped.
+struct Unfinished {
+    row: &'static Row,
+    why: Interrupted,
+    best: Option<Box<BestSoFar>>,
 }
 
-/// `None` if it was interrupted.
-fn line(row: &Row, control: &Control<'_>) -> Result<Option<Line>, Failure> {
+pub(super) fn run(options: &TableOptions, format: Format) -> Result<Outcome, Failure> {
+    let (lines, unfinished) = under_control(&options.limits, rows)??;
+    let status = if unfinished.is_some() { Status::Undecided } else { Status::Established };
+    let text = match format {
+        Format::Json => to_json(&data(&lines, unfinished.as_ref())?)?,
+        Format::Text | Format::Latex => {
+            let stopped = unfinished.as_ref().map(|stopped| stopped.text(lines.len())).transpose()?;
+            let table = if lines.is_empty() { String::new() } else { text(&lines) };
+            match stopped {
+                Some(stopped) if lines.is_empty() => stopped,
+                Some(stopped) => format!("{stopped}\n{table}"),
+                None => table,
+            }
+        }
+    };
+    Ok(Outcome { text, status })
+}
+
+/// The rows as far as they come.
+fn rows(control: &Control<'_>) -> Result<(Vec<Line>, Option<Unfinished>), Failure> {
+    let mut lines = Vec::new();
+    for row in ROWS {
+        match line(row, control)? {
+            Ok(line) => lines.push(line),
+            Err(unfinished) => return Ok((lines, Some(unfinished))),
+        }
+    }
+    Ok((lines, None))
+}
+
+/// One row, or where it was interrupted.
+fn line(row: &'static Row, control: &Control<'_>) -> Result<Result<Line, Unfinished>, Failure> {
     let source = Source::find(row.name.as_ref())?;
     let statement = &source.statement;
     let of = |error: &dyn std::fmt::Display| Failure(format!("{}: {error}", row.name));
     let enclosure = match row.values {
         Values::Given(set) => {
             let set: Vec<String> = set.iter().map(|&text| text.to_owned()).collect();
-            enclose(statement, &values(statement, &set)?, PLACES, control).map_err(|error| of(&error))?
+            match enclose(statement, &values(statement, &set)?, PLACES, control) {
+                Ok(enclosure) => enclosure,
+                Err(EnclosureError::Interrupted(why)) => return Ok(Err(Unfinished { row, why, best: None })),
+                Err(error) => return Err(of(&error)),
+            }
         }
         Values::Best => {
             let search = Search {
                 objective: Objective::Minimax,
                 points: 101,
                 pass: Vec::new(),
-                places: PLACES,
+                places: Some(PLACES),
                 seed: 1,
             };
             match approximate(statement, &search, control) {
                 Ok(found) => found.enclosure,
-                Err(ApproximationError::Interrupted(_)) => return Ok(None),
+                Err(ApproximationError::Interrupted(why, best)) => {
+                    return Ok(Err(Unfinished { row, why, best }));
+                }
                 Err(error) => return Err(of(&error)),
             }
         }
     };
     let seams = FloatPatch::at(statement, &enclosure.bounds.values).map_err(|error| of(&error))?.seams();
     let bidegree = bidegree(statement);
-    Ok(Some(Line {
+    Ok(Ok(Line {
         name: row.name,
         about: row.about,
+        values: match row.values {
+            Values::Best => "best found",
+            Values::Given(_) if statement.unknowns().is_empty() => "none",
+            Values::Given(_) => "given",
+        },
         bidegree,
         unknowns: statement.unknowns().len(),
         enclosure,
         gap: seams.gap,
         kink: seams.kink,
+    }))
+}
+
+impl Unfinished {
+    fn text(&self, finished: usize) -> Result<String, Failure> {
+        let mut text = format!(
+            "UNDECIDED  {}: {finished} of {} rows of the table were finished\n",
+            self.why,
+            ROWS.len()
+        );
+        if let Some(best) = &self.best {
+            let source = Source::find(self.row.name.as_ref())?;
+            text += &format!("\n{}, {}\n", self.row.name, self.row.about);
+            text += &best_so_far_text(&source.statement, best);
+        }
+        Ok(text)
+    }
+}
+
+/// The rows as far as they are finished, and what stopped the work.
+fn data(lines: &[Line], unfinished: Option<&Unfinished>) -> Result<serde_json::Value, Failure> {
+    let best = |stopped: &Unfinished| {
+        let statement = Source::find(stopped.row.name.as_ref())?.statement;
+        Ok::<_, Failure>(stopped.best.as_ref().map(|best| best_so_far_data(&statement, best)))
+    };
+    Ok(serde_json::json!({
+        "rows": lines.iter().map(Line::data).collect::<Vec<_>>(),
+        "of": ROWS.len(),
+        "stopped": unfinished.map(|stopped| stopped_by(stopped.why)),
+        "reason": unfinished.map(|stopped| stopped.why.to_string()),
+        "unfinished": unfinished.map(|stopped| Ok::<_, Failure>(serde_json::json!({
+            "name": stopped.row.name,
+            "about": stopped.row.about,
+            "best_found": best(stopped)?,
+        }))).transpose()?,
     }))
 }
 
@@ -125,8 +198,13 @@ fn bidegree(statement: &Statement) -> (u32, u32) {
 }
 
 impl Line {
-    fn error(&self) -> f64 {
+    fn error(&self) -> BigRational {
         error_value(&error_of(&self.enclosure), self.enclosure.bounds.places)
+    }
+
+    /// The same in floating point, to be compared.
+    fn size(&self) -> f64 {
+        self.error().to_f64().unwrap_or(f64::NAN)
     }
 
     /// Whether both bounds are attained and 1: the patch lies on the sphere.
@@ -138,15 +216,15 @@ impl Line {
     fn cells(&self, before: Option<f64>) -> [String; 8] {
         let (m, n) = self.bidegree;
         let digits =
-            before.filter(|_| !self.exact()).map(|before| format!("{:.1}", (before / self.error()).log10()));
-        // What is below the rounding of floating point is taken for zero.
-        let measured = |value: f64, unit: &str| {
-            if value < 1e-10 { "0".to_owned() } else { format!("{value:.1e}{unit}") }
+            before.filter(|_| !self.exact()).map(|before| format!("{:.1}", (before / self.size()).log10()));
+        // What is below the rounding of floating point is taken for zero; the rest is rounded up.
+        let measured = |value: f64| {
+            if value < 1e-10 { "0".to_owned() } else { above(value) }
         };
         let kink = match self.kink {
             kink if kink < 1e-9 => "0, G1".to_owned(),
-            kink if kink < 1e-3 => format!("{}°", scientific(kink, 1)),
-            kink => format!("{kink:.4}°"),
+            kink if kink < 1e-3 => format!("{}°", above(kink)),
+            kink => format!("{:.4}°", (kink * 1e4).ceil() / 1e4),
         };
         [
             format!("({m},{n})"),
@@ -154,9 +232,9 @@ impl Line {
             self.name.to_owned(),
             ((m + 1) * (n + 1)).to_string(),
             self.unknowns.to_string(),
-            if self.exact() { "0, exact".to_owned() } else { scientific(self.error(), 4) },
+            if self.exact() { "0, exact".to_owned() } else { rounded(&self.error(), 4, Towards::Above) },
             digits.unwrap_or_default(),
-            format!("{}; {kink}", measured(self.gap, "")),
+            format!("{}; {kink}", measured(self.gap)),
         ]
     }
 
@@ -170,7 +248,8 @@ impl Line {
             "control_points": (self.bidegree.0 + 1) * (self.bidegree.1 + 1),
             "unknowns": self.unknowns,
             "radius": { "lower": decimal(&bounds.lower.bound), "upper": decimal(&bounds.upper.bound) },
-            "seams": { "gap": self.gap, "kink_degrees": self.kink },
+            "values": self.values,
+            "seams_measured_in_floating_point": { "gap": self.gap, "kink_degrees": self.kink },
         })
     }
 }
@@ -186,7 +265,7 @@ fn text(lines: &[Line]) -> String {
         let standard = line.about == "standard edges, D4";
         rows.push(line.cells(before.filter(|_| standard)));
         if standard {
-            before = Some(line.error());
+            before = Some(line.size());
         }
     }
     let width: [usize; 8] =
@@ -200,10 +279,53 @@ fn text(lines: &[Line]) -> String {
     };
     let table: Vec<String> = rows.iter().map(padded).collect();
     format!(
-        "{}\n\nmax |r − 1| is a proved bound, rounded; that the values are best is found, not proved, but for cap-2x2 and\n\
-         cap-2x2-polynomial (approximate --prove-best). digits: decimal digits gained by one degree more. seam: of six patches around the cube,\n\
-         the largest distance of an edge from the plane between the faces, and the largest angle between tangent planes; measured at\n\
-         1001 points of each edge.\n",
+        "{}\n\nmax |r − 1| is a proved bound, rounded up. Values of unknowns are the best found by search, but for Eq. 13; that none are better\n\
+         is not proved here (`approximate NAME --prove-best` does, where it can). digits: decimal digits gained by one degree more. seam: of\n\
+         six patches around the cube, the largest distance of an edge from the plane between the faces, and the largest angle between\n\
+         tangent planes; measured at 1001 points of each edge in floating point, rounded up.\n",
         table.join("\n")
     )
+}
+
+/// 1.3·10⁻⁷, rounded up.
+fn above(value: f64) -> String {
+    BigRational::from_float(value).map_or("?".to_owned(), |value| rounded(&value, 1, Towards::Above))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    use super::*;
+    use crate::elimination::Progress;
+
+    #[test]
+    fn rows_that_are_finished_are_kept_and_the_next_as_far_as_it_came() {
+        let flag = AtomicBool::new(false);
+        let descents = std::cell::Cell::new(0);
+        // The second row has its values given: the second descent is that of the third row.
+        let observer = |progress: &Progress| {
+            if matches!(progress, Progress::Descent { round: 1, .. }) {
+                descents.set(descents.get() + 1);
+                if descents.get() == 2 {
+                    flag.store(true, Ordering::Relaxed);
+                }
+            }
+        };
+        let control = Control { cancelled: Some(&flag), observer: Some(&observer), ..Control::default() };
+        let (lines, unfinished) = rows(&control).unwrap();
+        let names: Vec<_> = lines.iter().map(|line| (line.name, line.values)).collect();
+        assert_eq!(names, [("cap-2x2-polynomial", "best found"), ("cap-2x2", "given")]);
+        let unfinished = unfinished.unwrap();
+        let text = unfinished.text(lines.len()).unwrap();
+        let expected = "UNDECIDED  interrupted: 2 of 8 rows of the table were finished\n\n\
+                        cap-2x2, standard edges, D4\n\
+                        Best found so far, by search; nothing is proved of it\n   w = 0.47";
+        assert!(text.starts_with(expected), "{text}");
+        let data = data(&lines, Some(&unfinished)).unwrap();
+        assert_eq!(data["stopped"], "ctrl-c");
+        assert_eq!(data["rows"].as_array().map(Vec::len), Some(2));
+        assert_eq!(data["unfinished"]["best_found"]["values"][0]["unknown"], "w");
+        assert!(super::text(&lines).contains("8.4628·10⁻³"));
+    }
 }

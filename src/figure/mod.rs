@@ -50,6 +50,8 @@ pub struct Scene<'a> {
     pub deviation: &'a dyn Fn(f64, f64) -> f64,
     /// The point of the patch.
     pub point: &'a dyn Fn(f64, f64) -> [f64; 3],
+    /// Whether the surface is the unit sphere, whose outline is then drawn.
+    pub unit_sphere: bool,
     /// The Cartesian control points, rows along u.
     pub net: &'a [Vec<[f64; 3]>],
     /// The extremes to be marked.

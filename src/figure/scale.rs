@@ -19,6 +19,9 @@ const COLOURS: [(f64, f64, f64); 9] = [
 /// Shades that are told apart.
 const SHADES: f64 = 96.0;
 
+/// What differs by less, in proportion, is called constant.
+const CONSTANT: f64 = 1e-12;
+
 /// From the smallest to the largest value, in a unit that is a power of ten.
 #[derive(Debug, Clone)]
 pub(super) struct Scale {
@@ -33,7 +36,8 @@ impl Scale {
         let finite = values.filter(|value| value.is_finite());
         let (low, high) =
             finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-        if !low.is_finite() || high - low <= 1e-15 {
+        // In proportion: a picture in metres shows what one in millimetres does.
+        if !low.is_finite() || high - low <= CONSTANT * low.abs().max(high.abs()) {
             let at = if low.is_finite() { low } else { 0.0 };
             return Scale { low: at, high: at, exponent: 0 };
         }
@@ -82,6 +86,13 @@ impl Scale {
         if trimmed == "-0" { "0".to_owned() } else { trimmed.replace('-', "−") }
     }
 
+    /// The largest value, rounded up, or the smallest, rounded down.
+    fn spell_end(&self, value: f64, largest: bool) -> String {
+        let units = value / 10f64.powi(self.exponent) * 1e4;
+        let rounded = if largest { units.ceil() } else { units.floor() };
+        self.spell(rounded / 1e4 * 10f64.powi(self.exponent), 4)
+    }
+
     /// `r − 1, in 10⁻⁶`.
     pub(super) fn unit(&self, symbol: &str) -> String {
         let raised: String = self.exponent.to_string().chars().map(superscript).collect();
@@ -112,9 +123,15 @@ impl Scale {
         canvas.text((x + 88.0, top + height / 2.0), 16.0, Anchor::Middle, true, &self.unit(symbol));
         if let Some((low, high)) = ends {
             canvas.marker((x + 8.0, top - 22.0), true);
-            canvas.text((x + 22.0, top - 17.0), 14.0, Anchor::Start, false, &self.spell(high, 4));
+            canvas.text((x + 22.0, top - 17.0), 14.0, Anchor::Start, false, &self.spell_end(high, true));
             canvas.marker((x + 8.0, top + height + 22.0), false);
-            canvas.text((x + 22.0, top + height + 27.0), 14.0, Anchor::Start, false, &self.spell(low, 4));
+            canvas.text(
+                (x + 22.0, top + height + 27.0),
+                14.0,
+                Anchor::Start,
+                false,
+                &self.spell_end(low, false),
+            );
         }
     }
 }

@@ -141,15 +141,22 @@ pub(super) fn surface(canvas: &mut Canvas, scene: &Scene<'_>, grid: &Grid, scale
     }
 }
 
-/// The patch, its control net and the outline of the unit sphere.
+/// The patch and its control net; for the unit sphere its outline too, for other surfaces in a size of their own.
 pub(super) fn cap(canvas: &mut Canvas, scene: &Scene<'_>, scale: &Scale) {
     let middle = (scene.point)(0.5, 0.5);
+    // The sphere is seen with the patch, any other surface's patch by itself.
+    let towards = if scene.unit_sphere { 0.6 } else { 1.0 };
+    let from = if scene.unit_sphere { middle.map(|x| 0.5 * x) } else { middle };
+    let reach = scene.net.iter().flatten().flat_map(|point| (0..3).map(|k| (point[k] - from[k]).abs()));
+    let reach = reach.filter(|x| x.is_finite());
     let reach =
-        scene.net.iter().flatten().flat_map(|point| (0..3).map(|k| (point[k] - 0.5 * middle[k]).abs()));
-    let reach = reach.filter(|x| x.is_finite()).fold(1.0f64, f64::max);
+        if scene.unit_sphere { reach.fold(1.0f64, f64::max).min(4.0) } else { reach.fold(0.0, f64::max) };
+    let reach = if reach > 0.0 { reach } else { 1.0 };
     let view =
-        View::new(-50.0, 30.0, 290.0 / reach.min(4.0), middle.map(|x| 0.6 * x), (370.0, SIZE.1 / 2.0 + 20.0));
-    canvas.circle(view.place([0.0; 3]), view.scale, "none", "#999999");
+        View::new(-50.0, 30.0, 290.0 / reach, middle.map(|x| towards * x), (370.0, SIZE.1 / 2.0 + 20.0));
+    if scene.unit_sphere {
+        canvas.circle(view.place([0.0; 3]), view.scale, "none", "#999999");
+    }
     paint(canvas, &view, 48, scene.point, &|u, v| scale.colour((scene.deviation)(u, v)), None);
     lines(canvas, &view, scene.point, "#ffffff66");
     let rows = scene.net.iter().map(|row| row.iter().map(|point| view.place(*point)).collect::<Vec<_>>());

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use super::attempt::{Files, wrapped_at};
 use super::json::{CONVENTION, statement as statement_data};
 use super::mathematics::Notation;
+use super::rounding::{Towards, rounded};
 use crate::approximation::{Barrier, Enclosure, EndVerdict, Finding};
 use crate::certificate::{Bounds, Quantity, decimal_value, spell_decimal};
 use crate::checker::Theorem;
@@ -33,7 +34,7 @@ pub fn decimal(units: &BigInt, places: u32) -> String {
 pub fn value_text(statement: &Statement, value: &Polynomial) -> String {
     let exact = value.as_rational().and_then(|rational| {
         let places =
-            (1..=40u32).find(|&places| (BigInt::from(10).pow(places) % rational.denom()) == BigInt::ZERO)?;
+            (1..=400u32).find(|&places| (BigInt::from(10).pow(places) % rational.denom()) == BigInt::ZERO)?;
         let units = &rational * BigRational::from_integer(BigInt::from(10).pow(places));
         (rational.denom() > &BigInt::from(1000)).then_some((units, places))
     });
@@ -156,10 +157,23 @@ pub fn verdict_text(verdicts: &[EndVerdict], symbol: &str) -> String {
 pub fn checked_text(theorem: &Theorem, files: &Files) -> String {
     format!(
         "\nVerdict of the independent checker, on the files below\n{}\n\nStatement    {}\nCertificate  {}\n",
-        wrapped_at(&format!("VERIFIED. {}", theorem.sentence()), 3),
+        wrapped_at(&format!("VERIFIED. {}", with_true_minus(&theorem.sentence())), 3),
         files.statement.display(),
         files.certificate.display()
     )
+}
+
+/// A minus sign before a digit is a true one, a hyphen stays what it is.
+fn with_true_minus(text: &str) -> String {
+    let mut result = String::with_capacity(text.len());
+    let mut rest = text.chars().peekable();
+    let mut before = ' ';
+    while let Some(c) = rest.next() {
+        let negative = c == '-' && !before.is_alphanumeric() && rest.peek().is_some_and(char::is_ascii_digit);
+        result.push(if negative { '−' } else { c });
+        before = c;
+    }
+    result
 }
 
 /// An enclosure as data.
@@ -244,39 +258,47 @@ pub fn verdict_data(verdicts: &[EndVerdict]) -> Value {
     verdicts.iter().map(one).collect()
 }
 
-/// That no values do better.
-pub fn barrier_text(barrier: &Barrier, error: &str, within: &str) -> String {
+/// That no values do better, and how much those that were found may be worse than the best: both rounded so that it stays true.
+pub fn barrier_text(barrier: &Barrier, gap: &Gap) -> String {
     format!(
-        "\nNo values do better than {error}, up to {within} of it: proved on {} boxes of all values of the unknowns.\n",
-        barrier.boxes
+        "\nNo values do better than {}: proved on {} boxes of all values of the unknowns with W > 0.\n\
+         Those above reach {}, which is at most {} of it more.\n",
+        rounded(&gap.unreached, 7, Towards::Below),
+        barrier.boxes,
+        rounded(&gap.reached, 7, Towards::Above),
+        rounded(&gap.relative(), 1, Towards::Above)
     )
 }
 
-/// 1.234·10⁻⁵ for a small number.
-pub fn scientific(value: f64, digits: usize) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let text = format!("{value:.digits$e}");
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let raised: String = exponent
-        .chars()
-        .map(|c| {
-            if c == '-' {
-                '⁻'
-            } else {
-                "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(c as usize - '0' as usize).unwrap_or(c)
-            }
-        })
-        .collect();
-    if raised == "⁰" {
-        mantissa.replace('-', "−")
-    } else {
-        format!("{}·10{raised}", mantissa.replace('-', "−"))
+/// Between what values were found to reach and what none reach.
+#[derive(Debug, Clone)]
+pub struct Gap {
+    /// The largest distance of the quantity from what it is on the surface, at most, at the values that were found.
+    pub reached: BigRational,
+    /// What it is at least, for all values.
+    pub unreached: BigRational,
+}
+
+impl Gap {
+    /// By which part of it the values found may be worse than the best.
+    pub fn relative(&self) -> BigRational {
+        (&self.reached - &self.unreached) / &self.unreached
     }
 }
 
-/// A bound on the error, in units of the last place, as a number.
-pub fn error_value(units: &BigInt, places: u32) -> f64 {
-    num_traits::ToPrimitive::to_f64(&decimal_value(&units.abs(), places)).unwrap_or(f64::NAN)
+/// The largest distance from the surface, as a rational.
+pub fn error_value(units: &BigInt, places: u32) -> BigRational {
+    decimal_value(&units.abs(), places)
+}
+
+/// What is measured: `r − 1`, or `F/W²`.
+pub fn quantity_name(statement: &Statement, quantity: Quantity) -> String {
+    let degree = match statement.subject() {
+        Subject::Patch(patch) => patch.surface.degree(),
+        Subject::System(_) => 0,
+    };
+    match quantity {
+        Quantity::Radius => "r − 1".to_owned(),
+        Quantity::Ratio => symbol(quantity, degree),
+    }
 }

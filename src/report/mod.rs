@@ -13,8 +13,10 @@ pub mod latex;
 mod mathematics;
 mod net;
 mod refutation;
+pub mod rounding;
 mod setting;
 mod solution;
+pub mod stopped;
 mod undecided;
 
 pub use attempt::{Files, describe};

@@ -17,6 +17,7 @@ fn with_scene<T>(title: &str, deviation: &dyn Fn(f64, f64) -> f64, look: impl Fn
         title,
         symbol: "r − 1",
         deviation,
+        unit_sphere: true,
         point: &|u, v| [2.0 * v - 1.0, 2.0 * u - 1.0, 1.0],
         net: &net,
         extremes: &extremes,

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 use proptest::prelude::*;
 use prove_cap::approximation::{
     EnclosureError, Finding, Model, Objective, Search, UnreachableError, approximate, compare_at, enclose,
@@ -272,7 +273,8 @@ fn what_has_no_patch_or_no_unknowns_is_refused() {
             .unwrap();
     let error = enclose(&system, &[Polynomial::integer(0)], 12, &Control::default()).unwrap_err();
     assert_eq!(error.to_string(), "a system of equations has no patch to bound");
-    let search = Search { objective: Objective::Minimax, points: 11, pass: vec![], places: 12, seed: 1 };
+    let search =
+        Search { objective: Objective::Minimax, points: 11, pass: vec![], places: Some(12), seed: 1 };
     let error = approximate(&built_in("cobb"), &search, &Control::default()).unwrap_err();
     assert_eq!(error.to_string(), "there is no patch with unknowns to choose; `bound` encloses one without");
     let none = exclude(&built_in("cobb"), [0.into(), 1.into()], 0, &[], &Control::default());
@@ -285,12 +287,18 @@ fn a_set_flag_stops_the_work() {
     let control = Control { cancelled: Some(&flag), ..Control::default() };
     let error = enclose(&built_in("cap-2x2"), &paper(), 12, &control).unwrap_err();
     assert!(matches!(error, EnclosureError::Interrupted(_)), "{error}");
-    let search = Search { objective: Objective::Minimax, points: 11, pass: vec![], places: 12, seed: 1 };
+    let search =
+        Search { objective: Objective::Minimax, points: 11, pass: vec![], places: Some(12), seed: 1 };
     assert_eq!(approximate(&built_in("cap-2x2"), &search, &control).unwrap_err().to_string(), "interrupted");
 }
 
+/// Values as doubles.
+fn doubles(values: &[Polynomial]) -> Vec<f64> {
+    values.iter().map(|value| value.as_rational().unwrap().to_f64().unwrap()).collect()
+}
+
 fn found(name: &str, objective: Objective, pass: &[(f64, f64)]) -> prove_cap::approximation::Approximation {
-    let search = Search { objective, points: 101, pass: pass.to_vec(), places: 12, seed: 1 };
+    let search = Search { objective, points: 101, pass: pass.to_vec(), places: Some(12), seed: 1 };
     approximate(&built_in(name), &search, &Control::default()).unwrap()
 }
 
@@ -319,24 +327,25 @@ fn the_minimax_patch_is_as_far_out_as_in_and_better_than_its_neighbours() {
         let extremes = local_extremes(&model.at(values), 64);
         [1.0, -1.0].map(|sign| extremes.iter().map(|place| sign * place.value).fold(f64::MIN, f64::max))
     };
-    let [above, below] = worst(&best.found);
+    let values = doubles(&best.found.values);
+    let [above, below] = worst(&values);
     assert!((above - below).abs() < 1e-12 * 1e-4, "{above} {below}");
     for step in [[1e-6, 0.0], [-1e-6, 0.0], [0.0, 1e-6], [0.0, -1e-6], [1e-6, -5e-6], [-1e-6, 5e-6]] {
-        let [beside, below] = worst(&[best.found[0] + step[0], best.found[1] + step[1]]);
+        let [beside, below] = worst(&[values[0] + step[0], values[1] + step[1]]);
         assert!(beside.max(below) > above, "{step:?}");
     }
 }
 
 #[test]
 fn least_squares_is_stationary_and_keeps_its_constraints() {
-    let free = found("cap-2x2", Objective::LeastSquares, &[]);
+    let free = doubles(&found("cap-2x2", Objective::LeastSquares, &[]).found.values);
     // 101 × 101 points, by an independent program: 0.470786, 2.362722.
-    assert!((free.found[0] - 0.470786).abs() < 1e-6 && (free.found[1] - 2.362722).abs() < 1e-6);
-    let pass = found("cap-2x2", Objective::LeastSquares, &[(0.5, 0.5)]);
+    assert!((free[0] - 0.470786).abs() < 1e-6 && (free[1] - 2.362722).abs() < 1e-6);
+    let pass = doubles(&found("cap-2x2", Objective::LeastSquares, &[(0.5, 0.5)]).found.values);
     let statement = built_in("cap-2x2");
     let model = Model::of(&statement).unwrap();
-    assert!(model.at(&pass.found).value(0.5, 0.5).abs() < 1e-13);
-    assert!(model.at(&free.found).value(0.5, 0.5).abs() > 1e-5);
+    assert!(model.at(&pass).value(0.5, 0.5).abs() < 1e-13);
+    assert!(model.at(&free).value(0.5, 0.5).abs() > 1e-5);
 }
 
 #[test]

@@ -8,5 +8,6 @@ mod families;
 mod lifting;
 mod refutation;
 mod roots;
+mod scale;
 mod scaling;
 mod systems;

@@ -11,8 +11,14 @@ use crate::exact::{self, Work};
 use crate::listing::{Expression, Scope, Symbol};
 use crate::prove::field_of;
 
-/// Decimals that are shown of a value.
+/// Decimals that are shown of a value at least.
 const PLACES: u32 = 8;
+
+/// Two decimals more than are printed, but so many at least.
+fn shown(printed: &str, least: u32) -> u32 {
+    let decimals = printed.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    u32::try_from(decimals).unwrap_or(u32::MAX).saturating_add(2).max(least)
+}
 
 /// The equations have the printed solution and no other.
 pub(super) fn solution(
@@ -121,7 +127,7 @@ pub(super) fn values(
                     .label(label.as_str())
                     .and(format!(" is printed as {text}, but is "))
                     .formula(&exact)
-                    .and(format!(" = {}…", decimal(&exact, PLACES, field)?)),
+                    .and(format!(" = {}…", decimal(&exact, shown(text, PLACES), field)?)),
             );
         }
         match groups.iter_mut().find(|(value, _)| *value == exact) {
@@ -145,7 +151,8 @@ pub(super) fn decimal_of(at: &Claimed<'_>, of: &Expression, printed: &str) -> Re
     let field = at.case.statement.field();
     let exact = at.value(of, &Scope::of(field, &[]))?;
     let holds = Decimal::read(printed).is_close_to(&exact, field)?;
-    let evidence =
-        Phrase::default().formula(&exact).and(format!(" = {}…", decimal(&exact, PLACES + 2, field)?));
+    let evidence = Phrase::default()
+        .formula(&exact)
+        .and(format!(" = {}…", decimal(&exact, shown(printed, PLACES + 2), field)?));
     Ok((if holds { Judgement::Holds } else { Judgement::Fails }, vec![evidence]))
 }

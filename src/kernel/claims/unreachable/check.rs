@@ -4,6 +4,9 @@
 //! positive, and so is every sum of positive multiples of these. The charts cover the space of the unknowns by boxes, and
 //! on each box some such sum is nowhere positive.
 //!
+//! Products of two unknowns, and forms of degree 1, may be put for unknowns first: all values of the old ones are
+//! values of the new.
+//!
 //! In the first chart every unknown is range·ξ with −1 ≤ ξ ≤ 1, and h = 1. In the others the unknown j is ±range/h with
 //! 0 < h ≤ 1, and the others are range·ξ/h: together they are all values. A polynomial of degree D in the unknowns is multiplied
 //! by h^D, which is positive, and divided by any power of h that all its terms have. Sample points may move with h.
@@ -18,7 +21,7 @@ use super::chart::{Chart, degrees, far};
 use super::{Excluded, Region, Rejection, Unreachable};
 use crate::claims::subdivision::{self, Along, Form, Interval, Side, Signs, subject, threshold};
 use crate::equations::expand;
-use crate::exact::{Monomial, Polynomial, Work};
+use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work};
 use crate::failure::{At, Failure, Place};
 use crate::statement::Statement;
 
@@ -44,7 +47,11 @@ pub(in crate::claims) fn verify(
     let mut sides = Vec::with_capacity(3);
     for (side, bound) in [(Side::Lower, low), (Side::Upper, high.clone()), (Side::Weight, high)] {
         let polynomial = along.side(side, bound, work).at(values)?;
-        sides.push((side, with_products(&polynomial, &argument.products, work)?));
+        let mut polynomial = with_products(&polynomial, &argument.products, work)?;
+        for (unknown, form) in &argument.forms {
+            polynomial = put(&polynomial, *unknown, form, field, work).at(values)?;
+        }
+        sides.push((side, polynomial));
     }
     let signs = Signs::new(field);
     let mut boxes = 0usize;
@@ -101,6 +108,20 @@ fn size(intervals: &[Interval]) -> u64 {
     let numbers = intervals.iter().flat_map(|interval| interval.x.iter().chain(&interval.y));
     let bits = numbers.fold(0u64, |bits, number| bits.saturating_add(number.bits()));
     bits.saturating_mul(2).saturating_add(1000)
+}
+
+/// A form is put for an unknown. It contains the unknown and has degree 1, so that every value of the unknown is a value
+/// of the form, whatever the others are.
+fn put(
+    polynomial: &Polynomial,
+    unknown: u16,
+    form: &Polynomial,
+    field: &Radicands,
+    work: &mut Work,
+) -> Result<Polynomial, Limit> {
+    let of = |k: u16| if k == unknown { form.clone() } else { Polynomial::variable(k) };
+    let values: Vec<Polynomial> = (0..=unknown).map(of).collect();
+    polynomial.substitute(&values, field, work)
 }
 
 /// z is put for z·w: z^b w^a becomes z^b w^(a−b), which must not have a negative exponent.

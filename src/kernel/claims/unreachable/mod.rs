@@ -11,6 +11,7 @@ use num_rational::BigRational;
 
 use super::subdivision::{self, Quantity, Side, Units, spell_decimal};
 use super::wording;
+use crate::exact::Polynomial;
 use crate::statement::Statement;
 
 pub(super) use check::verify;
@@ -48,6 +49,9 @@ pub struct Unreachable {
     pub upper: Units,
     /// Pairs (z, w) of unknowns: from here on z stands for the product z·w.
     pub products: Vec<(u16, u16)>,
+    /// Unknowns and what is put for them, one after another: forms of degree 1 with rational coefficients that contain
+    /// the unknown itself. They choose units, and where zero is, so that boxes of one shape suit all unknowns.
+    pub forms: Vec<(u16, Polynomial)>,
     /// What the first chart reaches: all unknowns from −range to range.
     pub range: BigInt,
     /// Sample points (u, v) of the square.

@@ -5,7 +5,7 @@ use num_traits::Signed;
 
 use super::{Odds, Region, Unreachable};
 use crate::claims::subdivision::{Side, quantity, sealed, spell_decimal};
-use crate::exact::{Limit, Ring, limits, read_natural};
+use crate::exact::{Limit, Polynomial, Ring, limits, read_natural};
 use crate::text::{CertificateError, CertificateFault as Fault, Reader};
 
 /// The lines after the claim.
@@ -16,6 +16,7 @@ pub(in crate::claims) fn write(argument: &Unreachable, ring: &Ring, lines: Vec<S
     lines.push(quantity(argument.quantity, argument.places));
     lines.push(format!("between {} {}", decimal(&argument.lower), decimal(&argument.upper)));
     lines.extend(argument.products.iter().map(|&(z, w)| format!("product {}*{}", name(z), name(w))));
+    lines.extend(argument.forms.iter().map(|(x, form)| format!("put {} = {}", name(*x), ring.spell(form))));
     lines.push(format!("range {}", argument.range));
     let odds =
         |odds: &Odds| if odds.shrinking { format!("{}*h", odds.value) } else { odds.value.to_string() };
@@ -49,13 +50,20 @@ pub(in crate::claims) fn read(reader: &mut Reader<'_, '_>) -> Result<Unreachable
     let pair = line.strip_prefix("between ").and_then(|rest| rest.split_once(' '));
     let (low, high) = pair.ok_or_else(|| reader.unexpected(line, expected))?;
     let (lower, upper) = (reader.decimal(low, places)?, reader.decimal(high, places)?);
-    let mut line = reader.next("`product` or `range`")?;
+    let expected = "`product`, `put` or `range`";
+    let mut line = reader.next(expected)?;
     let mut products = Vec::new();
     while let Some(text) = line.strip_prefix("product ") {
         let pair = text.split_once('*').and_then(|(z, w)| Some((unknown(reader, z)?, unknown(reader, w)?)));
         let pair = pair.filter(|(z, w)| z != w && products.len() < reader.unknowns);
         products.push(pair.ok_or_else(|| reader.unexpected(line, "`product ` and two unknowns, z*w"))?);
-        line = reader.next("`product` or `range`")?;
+        line = reader.next(expected)?;
+    }
+    let mut forms: Vec<(u16, Polynomial)> = Vec::new();
+    while let Some(text) = line.strip_prefix("put ") {
+        let form = form(reader, line, text, forms.last().map(|(before, _)| *before))?;
+        forms.push(form);
+        line = reader.next("`put` or `range`")?;
     }
     let range = line.strip_prefix("range ").filter(|digits| digits.len() <= limits::DIGITS);
     let range = range
@@ -63,7 +71,32 @@ pub(in crate::claims) fn read(reader: &mut Reader<'_, '_>) -> Result<Unreachable
         .filter(|(range, rest)| rest.is_empty() && range.is_positive());
     let (range, _) = range.ok_or_else(|| reader.unexpected(line, "`range ` and a positive integer"))?;
     let (samples, charts) = charts(reader)?;
-    Ok(Unreachable { quantity, places, lower, upper, products, range, samples, charts })
+    Ok(Unreachable { quantity, places, lower, upper, products, forms, range, samples, charts })
+}
+
+/// `z = 500*z + 3*w`: in the order of the unknowns, each once; its form is not the unknown alone, but contains it.
+fn form(
+    reader: &mut Reader<'_, '_>,
+    line: &str,
+    text: &str,
+    before: Option<u16>,
+) -> Result<(u16, Polynomial), CertificateError> {
+    let expected = "`put`, a later unknown than before, ` = ` and another form of degree 1 with rational \
+                    coefficients in the unknowns, which contains this one";
+    let parts = text.split_once(" = ").and_then(|(name, form)| Some((unknown(reader, name)?, form)));
+    let (unknown, spelled) = parts
+        .filter(|(unknown, _)| before.is_none_or(|before| before < *unknown))
+        .ok_or_else(|| reader.unexpected(line, expected))?;
+    let form = reader.polynomial(line, spelled)?;
+    let is_unknown = |&(k, _): &(u16, u32)| usize::from(k) < reader.unknowns;
+    let affine = form.terms().all(|(monomial, _)| {
+        monomial.mask() == 0 && monomial.degree() <= 1 && monomial.powers().iter().all(is_unknown)
+    });
+    let contains = form.terms().any(|(monomial, _)| monomial.exponent(unknown) == 1);
+    match affine && contains && form != Polynomial::variable(unknown) {
+        true => Ok((unknown, form)),
+        false => Err(reader.unexpected(line, expected)),
+    }
 }
 
 fn unknown(reader: &Reader<'_, '_>, name: &str) -> Option<u16> {

@@ -1,0 +1,1 @@
+"""An independent checker of statements and certificates, written from FORMAT.md alone."""

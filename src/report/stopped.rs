@@ -1,0 +1,59 @@
+//! What a search had when it was stopped.
+
+use std::fmt::Write as _;
+
+use num_rational::BigRational;
+use serde_json::{Value, json};
+
+use super::bounds::{quantity_name, value_text};
+use super::rounding::{Towards, rounded};
+use crate::approximation::{BestSoFar, Decimals, quantity_of};
+use crate::elimination::Interrupted;
+use crate::statement::Statement;
+
+/// Digits after the point of what was measured.
+const DIGITS: u32 = 4;
+
+/// Which of them it was, as data.
+pub fn stopped_by(why: Interrupted) -> &'static str {
+    match why {
+        Interrupted::Timeout => "timeout",
+        Interrupted::Cancelled => "ctrl-c",
+        Interrupted::Memory => "memory",
+    }
+}
+
+/// The best values so far, with what was measured there.
+pub fn best_so_far_text(statement: &Statement, best: &BestSoFar) -> String {
+    let mut text = "Best found so far, by search; nothing is proved of it\n".to_owned();
+    for (name, value) in statement.unknowns().iter().zip(&best.values.values) {
+        let _ = writeln!(text, "   {name} = {}", value_text(statement, value));
+    }
+    let [low, high] = measured(best);
+    let name = quantity_of(statement).map(|quantity| quantity_name(statement, quantity)).unwrap_or_default();
+    let _ = writeln!(text, "   measured in floating point: {low} ≤ {name} ≤ {high}");
+    text
+}
+
+/// The same as data.
+pub fn best_so_far_data(statement: &Statement, best: &BestSoFar) -> Value {
+    json!({
+        "values": decimals_data(statement, &best.values),
+        "measured_in_floating_point": { "least": best.measured[0], "greatest": best.measured[1] },
+    })
+}
+
+/// Values of the unknowns, exactly, in the canonical spelling.
+pub fn decimals_data(statement: &Statement, decimals: &Decimals) -> Value {
+    let ring = statement.ring();
+    let value = |(name, value): (&String, &crate::exact::Polynomial)| json!({ "unknown": name, "value": ring.spell(value) });
+    statement.unknowns().iter().zip(&decimals.values).map(value).collect()
+}
+
+/// The measured ends, rounded outwards.
+fn measured(best: &BestSoFar) -> [String; 2] {
+    let ends = [(best.measured[0], Towards::Below), (best.measured[1], Towards::Above)];
+    ends.map(|(end, towards)| {
+        BigRational::from_float(end).map_or("?".to_owned(), |end| rounded(&end, DIGITS, towards))
+    })
+}
