@@ -240,7 +240,7 @@ fn refusals_say_what_is_so() {
         (
             &[],
             "sqrt(1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1)",
-            "the square root of (1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 … is not in Q; with 13 among the radicands it is",
+            "the square root of (1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 +… is not in Q; with 13 among the radicands it is",
         ),
     ] {
         let fault = read(text, &field(radicands)).expect_err(text);
