@@ -51,7 +51,7 @@ fn recognise(value: f64, field: MultiquadraticField) -> Option<FieldElement> {
             if !near || rational.abs() > NUMERATOR as f64 {
                 continue;
             }
-            let height = rational.abs() as i64 + numerators.iter().map(|n| n.abs()).sum::<i64>();
+            let height = rational.abs() as i64 + numerators.iter().map(num_traits::Signed::abs).sum::<i64>();
             if best.as_ref().is_none_or(|(least, _)| height < *least) {
                 best = Some((height, [&[rational as i64], &numerators[..]].concat()));
             }

@@ -1,7 +1,7 @@
 //! Sizes of numbers of K, however small or large: a mantissa in floating point and a power of two.
 
-use crate::algebra::fixed;
 use crate::algebra::FieldElement;
+use crate::algebra::fixed;
 
 /// Bits beyond which a number that is not zero is no longer told from zero; no number of a statement is so small.
 const BITS: u32 = 1 << 20;

@@ -32,7 +32,7 @@ fn any_number_of_threads_gives_the_same_bytes() {
 fn too_little_memory_or_time_is_undecided_and_leaves_nothing_behind() {
     let cases = [
         (["--max-memory", "60M"], "the memory allowed is used up"),
-        (["--timeout", "0.3"], "the time allowed is over"),
+        (["--timeout", "0"], "the time allowed is over"),
     ];
     for (limit, why) in cases {
         let directory = tempfile::tempdir().unwrap();
@@ -40,7 +40,7 @@ fn too_little_memory_or_time_is_undecided_and_leaves_nothing_behind() {
         assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
         let said = text(&output.stdout);
         assert!(said.starts_with("UNDECIDED  cap-4x4: stopped early\n"), "{said}");
-        assert!(said.contains(&format!("Stopped: {why}. Nothing was established.\nReached: ")), "{said}");
+        assert!(said.contains(&format!("Stopped: {why}. Nothing was established.")), "{said}");
         assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 0);
     }
 }

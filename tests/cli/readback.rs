@@ -252,7 +252,7 @@ fn constructed_nets_are_audited_proved_and_bounded() {
         assert_eq!(Statement::read(&text).unwrap().hash(), hash);
         let (code, text) = run(at, &["audit", "net.json"]);
         assert_eq!(code, Some(0), "{text}");
-        assert!(text.starts_with("AGREES  the net lies on the surface"), "{text}");
+        assert!(text.starts_with("AGREES  the net lies on the unit sphere"), "{text}");
         let (code, text) = run(at, &["prove", "net.json", "-o", "proof"]);
         assert_eq!(code, Some(0), "{text}");
         assert!(text.starts_with("EXACT  net: this patch lies on the surface"), "{text}");

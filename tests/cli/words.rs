@@ -303,7 +303,7 @@ fn places_are_fractions_and_decimals_have_true_minus_signs() {
     );
     let reason = text.lines().nth(1).unwrap().trim();
     let place = reason.strip_prefix(
-        "the Jacobian determinant is not shown to be positive on the whole square: see (u, v) = (",
+        "the Jacobian determinant is not positive on the whole square: it is negative at (u, v) = (",
     );
     let place = place.and_then(|rest| rest.strip_suffix(')')).unwrap_or_else(|| panic!("{reason}"));
     assert!(place.chars().all(|c| c.is_ascii_digit() || "/, ".contains(c)), "{place}");
@@ -347,10 +347,7 @@ fn a_rounded_net_in_the_wrong_convention_is_not_called_beyond_help() {
     };
     let (status, text) = run(&net("wrong"), &["audit", "it.toml"]);
     assert_eq!(status, 1);
-    assert!(
-        text.contains("   With the whole net premultiplied by the weight, none would be larger than c[2,"),
-        "{text}"
-    );
+    assert!(text.contains("   read as premultiplied: the largest is c[2,"), "{text}");
     assert!(
         text.contains("puts the net exactly on the surface was found; nor does the other convention.\n"),
         "{text}"

@@ -225,7 +225,13 @@ fn forms_that_are_changed_prove_nothing() {
         verdict(&statement, &other).unwrap_err()
     };
     let rejected = |error: CheckError| {
-        assert!(matches!(error, CheckError::Rejected(Rejection::Unreachable(UnreachableRejection::NotExcluded { .. }))), "{error}")
+        assert!(
+            matches!(
+                error,
+                CheckError::Rejected(Rejection::Unreachable(UnreachableRejection::NotExcluded { .. }))
+            ),
+            "{error}"
+        );
     };
     rejected(changed(&|a| a.forms.clear()));
     // All weights a thousand times smaller, all heights thrown about.

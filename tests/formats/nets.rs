@@ -148,7 +148,10 @@ fn json_that_is_no_net_is_refused() {
         (net("[[[1,2,3]]]"), "net[0][0]: expected four numbers"),
         (net("[[[1,2,3,0.5]]]"), "net[0][0][3]: expected an exact number: put decimals into quotes"),
         (net("[[[1,2,3,\"x\"]]]"), "net[0][0][3]: `x` is none of the unknowns, expected numbers only"),
-        (net("[[[1,2,3,\"sqrt(5)\"]]]"), "net[0][0][3]: this square root is not in Q(√2); with 5 among the radicands it is"),
+        (
+            net("[[[1,2,3,\"sqrt(5)\"]]]"),
+            "net[0][0][3]: this square root is not in Q(√2); with 5 among the radicands it is",
+        ),
         (
             net("[[[1,2,3,\"1/2 2\"]]]"),
             "net[0][0][3]: ambiguous: is this factor part of the divisor? write brackets, 1/(2w) or (1/2)w, or \\frac",

@@ -53,7 +53,7 @@ fn not_reached(end: &'static str) -> Rejection {
 #[test]
 fn the_sentence_says_best_where_the_point_is_strictly_inside_the_next_decimal() {
     let radius = |lower, upper| judged(&segment(SPHERE), Quantity::Radius, 1, lower, upper);
-    let start = "At the stated values the denominator W is positive on the whole square, and there ";
+    let start = "As it stands the denominator W is positive on the whole square, and there ";
     let best = radius(end(10, (0, 1)), end(30, (1, 1))).unwrap();
     assert_eq!(best.0, [true, true]);
     assert_eq!(
@@ -113,12 +113,12 @@ fn quotients_are_named_with_their_degree() {
         |surface: &str, lower, upper| judged(&segment(surface), Quantity::Ratio, 0, lower, upper).unwrap();
     let (best, sentence) = ratio("Z - 3*W", end(-2, (0, 1)), end(0, (1, 1)));
     assert_eq!(best, [true, true]);
-    assert!(sentence.contains("there -2 ≤ F/W ≤ 0."), "{sentence}");
+    assert!(sentence.contains("there −2 ≤ F/W ≤ 0, for F = Z − 3·W."), "{sentence}");
     let (best, sentence) = ratio("Z - 3*W", end(-3, (0, 1)), end(1, (1, 1)));
     assert_eq!(best, [false, false]);
-    assert!(sentence.contains("there -3 ≤ F/W ≤ 1."), "{sentence}");
+    assert!(sentence.contains("there −3 ≤ F/W ≤ 1, for F = Z − 3·W."), "{sentence}");
     let (_, sentence) = ratio("Z^8", end(1, (0, 1)), end(6561, (1, 1)));
-    assert!(sentence.contains("there 1 ≤ F/W⁸ ≤ 6561."), "{sentence}");
+    assert!(sentence.contains("there 1 ≤ F/W⁸ ≤ 6561, for F = Z⁸."), "{sentence}");
 }
 
 /// x = y = 0, z = 3v − 1: r = |3v − 1|, which is 0 at v = 1/3 only. No box shows r² ≥ 0 there, and none need.

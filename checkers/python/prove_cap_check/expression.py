@@ -1,6 +1,7 @@
 """Expressions of statements (FORMAT.md section 2): tokens, a recursive descent, and the value as a polynomial."""
 
 import re
+from math import isqrt
 
 from . import limits
 from .field import square_root
@@ -118,11 +119,44 @@ class Reader:
     def root(self, value):
         if not value:
             return value
-        need(value.is_constant() and set(value.parts) == {0} and value.parts[0][0] > 0, "sqrt of no rational >= 0")
-        found = square_root(self.ring.field, value.parts[0][0], value.den)
-        need(found, "the root is not in the field")
-        mask, top, bottom = found
-        return digits_limited(self.ring.constant(top, bottom, mask))
+        need(value.is_constant() and value.sign() > 0, "sqrt of no constant >= 0")
+        if set(value.parts) == {0}:
+            found = square_root(self.ring.field, value.parts[0][0], value.den)
+            need(found, "the root is not in the field")
+            mask, top, bottom = found
+            return digits_limited(self.ring.constant(top, bottom, mask))
+        root = self.descent(value, len(self.ring.field.radicands))
+        need(root is not None, "the root is not in the field")
+        return digits_limited(root if root.sign() > 0 else -root)
+
+    def descent(self, value, rank):
+        """An element of the field of the first `rank` radicands whose square this is, or None (section 2).
+
+        a + b sqrt(d) = (s + t sqrt(d))^2: for b = 0 a or a/d is a square; otherwise a^2 - d b^2 = n^2, s^2 = (a +- n)/2
+        and t = b/(2s)."""
+        ring = self.ring
+        if not value:
+            return value
+        if rank == 0:
+            top, bottom = value.parts[0][0], value.den
+            root = isqrt(top * bottom) if top > 0 else 0
+            return ring.constant(root, bottom) if root * root == top * bottom and root else None
+        bit = 1 << (rank - 1)
+        d, sqrt_d = ring.constant(ring.field.n[bit]), ring.constant(1, 1, bit)
+        a = make(ring, value.den, {S: dict(part) for S, part in value.parts.items() if not S & bit})
+        b = make(ring, value.den, {S ^ bit: dict(part) for S, part in value.parts.items() if S & bit})
+        if not b:
+            root = self.descent(a, rank - 1)
+            if root is None:
+                root = self.descent(a * d.inverse(), rank - 1)
+                root = root * sqrt_d if root is not None else None
+            return root
+        n = self.descent(a * a - d * b * b, rank - 1)
+        for twice in [] if n is None else [a + n, a - n]:
+            s = self.descent(twice.scaled(1, 2), rank - 1)
+            if s is not None:
+                return s + b * s.scaled(2).inverse() * sqrt_d
+        return None
 
 
 def evaluate_expression(value, ring, names):
