@@ -6,9 +6,12 @@
 mod convert;
 mod field;
 mod integer;
+mod lattice;
 mod monomial;
 mod polynomial;
 mod prime_field;
+mod residue_polynomial;
+mod roots;
 mod sign;
 mod spell;
 mod square_root;

@@ -6,9 +6,10 @@ use std::path::PathBuf;
 use super::refutation::refutation;
 use super::solution::solution;
 use super::undecided::{headline, reason_text};
+use crate::bezier::Image;
 use crate::checker::Claim;
 use crate::exact::Limit;
-use crate::prove::Attempt;
+use crate::prove::{Attempt, image_of};
 use crate::statement::{Statement, Subject};
 
 /// Characters of a formula on one line.
@@ -41,7 +42,7 @@ pub fn describe(
             let _ = writeln!(text, "{}\n", statement.title());
             text += &reason_text(statement, reason)?;
         }
-        Attempt::Proved { certificate, theorem } => match theorem.claim() {
+        Attempt::Proved { certificate, theorem, freedom } => match theorem.claim() {
             Claim::Impossible(_) => {
                 let subject = match statement.subject() {
                     Subject::Patch(_) => "no such patch lies on the surface",
@@ -56,12 +57,16 @@ pub fn describe(
                     text,
                     "EXACT  {name}: {}\n",
                     match theorem.claim() {
-                        Claim::Exact(_) => "this patch lies on the surface",
+                        Claim::Exact(exact) => match image_of(statement, &exact.net) {
+                            Image::Surface => "this patch lies on the surface",
+                            Image::Curve => "this patch shrinks to a curve, which lies on the surface",
+                            Image::Point => "this patch shrinks to a point, which lies on the surface",
+                        },
                         _ => "the system has this solution",
                     }
                 );
                 let _ = writeln!(text, "{}\n", statement.title());
-                text += &solution(statement, theorem);
+                text += &solution(statement, theorem, freedom);
             }
             // Elimination proves nothing of this kind; what it is would be said like this.
             Claim::Bounds(_) | Claim::Unreachable(_) | Claim::Cover(_) => {

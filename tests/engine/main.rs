@@ -2,9 +2,11 @@
 
 mod algebra;
 mod bounds;
+mod choices;
 mod construction;
 mod expansion;
 mod families;
 mod lifting;
 mod refutation;
 mod systems;
+mod zeros;
