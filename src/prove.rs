@@ -8,15 +8,15 @@ use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::checker::{CheckError, Equations, Theorem, check_read};
 use crate::elimination::{
-    Closure, Control, Derivation, Interrupted, NamedStep, Outcome, Progress, Source, System, Tried, Undecided,
-    eliminate, points_in_field,
+    Closure, Control, Derivation, Interrupted, NamedStep, Outcome, Progress, Source, System, Tried,
+    Undecided, eliminate, points_in_field,
 };
 use crate::exact::{self, Limit, Stop, Work};
 use crate::statement::{Statement, Subject};
 
 pub use extension::Extension;
-pub use zero::{Freedom, image_of};
 use zero::{Best, one_of_many, undecided};
+pub use zero::{Freedom, image_of};
 
 /// How an attempt at a statement ended.
 #[allow(clippy::large_enum_variant, reason = "one or two are alive at a time")]

@@ -134,9 +134,8 @@ impl Polynomial {
     pub fn evaluate(&self, at: &[FieldElement]) -> FieldElement {
         let value = |(monomial, coefficient): &(Monomial, FieldElement)| {
             let powers = monomial.powers().iter();
-            let factors = powers.flat_map(|&(v, exponent)| {
-                std::iter::repeat_n(&at[usize::from(v)], exponent as usize)
-            });
+            let factors =
+                powers.flat_map(|&(v, exponent)| std::iter::repeat_n(&at[usize::from(v)], exponent as usize));
             factors.fold(coefficient.clone(), |product, factor| &product * factor)
         };
         self.terms.iter().fold(self.field.zero(), |sum, term| &sum + &value(term))

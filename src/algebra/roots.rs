@@ -163,12 +163,7 @@ struct Lifted<'a> {
 }
 
 impl<'a> Lifted<'a> {
-    fn new(
-        integral: &'a [Vec<Integer>],
-        prime: &PrimeField,
-        field: MultiquadraticField,
-        root: u64,
-    ) -> Self {
+    fn new(integral: &'a [Vec<Integer>], prime: &PrimeField, field: MultiquadraticField, root: u64) -> Self {
         let integer = |residue: u64| Integer::from(i128::from(residue));
         let radicals = (0..field.radicands().len()).map(|bit| {
             let of_d = prime.root(1 << bit);

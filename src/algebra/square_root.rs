@@ -49,8 +49,13 @@ impl FieldElement {
             return None;
         }
         let mut primes = Vec::new();
-        // Every p that divides what is left is prime.
+        // Every p that divides what is left is prime, and so is what is left when it is below p².
         for p in 2..=largest {
+            let below = rest.to_i64().is_some_and(|rest| rest < i64::from(p) * i64::from(p));
+            if let Some(last) = rest.to_i64().filter(|&rest| below && rest > 1) {
+                primes.push(u32::try_from(last).ok().filter(|&last| last <= largest)?);
+                rest = Integer::one();
+            }
             let mut odd = false;
             while rest.residue(p.into()) == 0 {
                 rest = rest.exact_quotient(&Integer::from(p));

@@ -125,7 +125,8 @@ impl Open {
             _ => None,
         };
         // A verified basis has the same zeros, and is the shorter way to what follows.
-        let system = if closure.verified { system.with_equations(equations().cloned()) } else { system.clone() };
+        let system =
+            if closure.verified { system.with_equations(equations().cloned()) } else { system.clone() };
         Open { system, chosen, determined: equations().filter_map(alone).collect() }
     }
 }

@@ -3,6 +3,7 @@
 use super::closure::{Closure, Eliminant};
 use super::control::{Control, Interrupted};
 use super::derivation::Derivation;
+use super::eliminant::eliminant;
 use super::strategy::Strategy;
 use super::system::System;
 use super::{Outcome, Undecided, run};
@@ -10,6 +11,23 @@ use crate::algebra::{FieldElement, Monomial, Polynomial};
 
 /// Zeros that are collected at most.
 const POINTS: usize = 64;
+
+/// Zeros over the algebraic closure up to which those in K are looked for.
+const ZEROS: usize = 100;
+
+/// Where there are too many zeros for all eliminants, that of one variable.
+fn only_eliminant(
+    system: &System,
+    closure: &Closure,
+    control: &Control<'_>,
+) -> Result<Option<Eliminant>, Interrupted> {
+    let few = closure.verified && closure.zeros.is_some_and(|count| count <= ZEROS);
+    let variable = closure.basis.iter().flat_map(Polynomial::variables).min();
+    let Some(variable) = variable.filter(|_| few && closure.eliminants.is_empty()) else { return Ok(None) };
+    let polynomial = eliminant(variable, None, &closure.basis, system.field(), control)?;
+    let roots = polynomial.roots_in_field(|| control.check())?;
+    Ok(Some(Eliminant { variable, polynomial, roots }))
+}
 
 /// The zeros in K of a system as far as [`points_in_field`] finds them, and its closure where it has finitely many and
 /// is not solved by linear equations alone.
@@ -26,7 +44,7 @@ pub fn zeros_in_field(
     })
 }
 
-/// Common zeros of a system in K, by variable: where the closure has eliminants, all of them up to [`POINTS`].
+/// Common zeros of a system in K, by variable: of up to [`ZEROS`] zeros all those in K, but no more than [`POINTS`].
 /// Nothing is claimed of them (the checker has the last word).
 pub fn points_in_field(
     system: &System,
@@ -34,8 +52,9 @@ pub fn points_in_field(
     control: &Control<'_>,
 ) -> Result<Vec<Vec<FieldElement>>, Interrupted> {
     // The variable with the fewest possible values: each is tried in turn.
+    let only = only_eliminant(system, closure, control)?;
     let mut fewest: Option<(u16, &Vec<FieldElement>)> = None;
-    for Eliminant { variable, polynomial, roots } in &closure.eliminants {
+    for Eliminant { variable, polynomial, roots } in closure.eliminants.iter().chain(&only) {
         if polynomial.degree() > 1 && fewest.is_none_or(|(_, others)| roots.len() < others.len()) {
             fewest = Some((*variable, roots));
         }

@@ -14,7 +14,7 @@ const PRIMES: [u32; 6] = [2, 3, 5, 7, 11, 13];
 pub struct Extension {
     /// All radicands, increasing.
     pub radicands: Vec<u32>,
-    /// For coordinates that have no value in the smaller field: all their values in the larger one, by unknown.
+    /// For coordinates that have no value in the smaller field: their values in the larger one, by unknown.
     pub values: Vec<(usize, Vec<FieldElement>)>,
 }
 
@@ -88,8 +88,8 @@ fn is_solution(statement: &Statement, lifted: &System, zero: &[FieldElement]) ->
 
 /// Fields above that of a polynomial without roots in which it has one, smallest first.
 ///
-/// For degree 2 the one there is: ax² + bx + c has roots in K(√d) for rational d if and only if b² − 4ac is d times a square of
-/// K. For higher degrees one or two of [`PRIMES`] are tried.
+/// For degree 2 the one there is: ax² + bx + c has roots in K(√d) for rational d if and only if b² − 4ac is a square of
+/// K or d times one. For higher degrees one or two of [`PRIMES`] are tried.
 fn larger_fields(
     polynomial: &Univariate,
     control: &Control<'_>,

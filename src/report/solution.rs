@@ -60,9 +60,9 @@ fn choice(statement: &Statement, notation: &Notation, values: &[Polynomial], fre
     if !freedom.chosen.is_empty() {
         let chosen: Vec<String> = freedom.chosen.iter().filter_map(|(k, _)| named(k)).collect();
         let verb = if chosen.len() == 1 { "was" } else { "were" };
-        let of_many =
-            if freedom.infinite { "One of infinitely many over the complex numbers: " } else { "" };
-        let _ = writeln!(text, "{}", wrapped_at(&format!("{of_many}{} {verb} chosen.", chosen.join(", ")), 0));
+        let of_many = if freedom.infinite { "One of infinitely many over the complex numbers: " } else { "" };
+        let _ =
+            writeln!(text, "{}", wrapped_at(&format!("{of_many}{} {verb} chosen.", chosen.join(", ")), 0));
     }
     for name in freedom.indifferent.iter().filter_map(|&k| statement.unknowns().get(k)) {
         let _ = writeln!(text, "{name} occurs in no coefficient: with any value of it the equations hold.");
