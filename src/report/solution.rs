@@ -7,7 +7,7 @@ use super::mathematics::Notation;
 use crate::checker::{Claim, ExactNet, Solution, Theorem};
 use crate::exact::Polynomial;
 use crate::prove::Freedom;
-use crate::statement::{COORDINATES, Statement};
+use crate::statement::{COORDINATES, Statement, Subject};
 
 /// The values of the unknowns and the net at them.
 pub(super) fn solution(statement: &Statement, theorem: &Theorem, freedom: &Freedom) -> String {
@@ -64,8 +64,12 @@ fn choice(statement: &Statement, notation: &Notation, values: &[Polynomial], fre
         let _ =
             writeln!(text, "{}", wrapped_at(&format!("{of_many}{} {verb} chosen.", chosen.join(", ")), 0));
     }
+    let equation = match statement.subject() {
+        Subject::Patch(_) => "coefficient",
+        Subject::System(_) => "equation",
+    };
     for name in freedom.indifferent.iter().filter_map(|&k| statement.unknowns().get(k)) {
-        let _ = writeln!(text, "{name} occurs in no coefficient: with any value of it the equations hold.");
+        let _ = writeln!(text, "{name} occurs in no {equation}: with any value of it the equations hold.");
     }
     if !text.is_empty() {
         text.push('\n');
