@@ -11,7 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let entry = catalogue::find("cap-2x2-weights").ok_or("not in the catalogue")?;
     let statement = Statement::read(&entry.statement())?;
     match prove(&statement, &Control::default())? {
-        Attempt::Proved { certificate, theorem } => {
+        Attempt::Proved { certificate, theorem, .. } => {
             println!("{theorem}\n");
             print!("{}", certificate.write(&statement.ring()));
         }

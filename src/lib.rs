@@ -13,7 +13,7 @@
 //!
 //! let text = catalogue::find("cap-2x2").unwrap().statement();
 //! let statement = Statement::read(&text).unwrap();
-//! let Ok(Attempt::Proved { certificate, theorem }) = prove(&statement, &Control::default()) else { panic!() };
+//! let Ok(Attempt::Proved { certificate, theorem, .. }) = prove(&statement, &Control::default()) else { panic!() };
 //! println!("{theorem}\n{}", certificate.write(&statement.ring()));
 //! ```
 

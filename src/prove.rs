@@ -1,19 +1,22 @@
 //! From a statement to a certificate that the independent checker has accepted.
 
-use crate::algebra::{
-    FieldElement, MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact,
-};
+mod extension;
+mod zero;
+
+use crate::algebra::{MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact};
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::checker::{
-    CheckError, Claim, Equations, ExactNet, ExactRejection, Rejection, Theorem, check_read,
-};
+use crate::checker::{CheckError, Equations, Theorem, check_read};
 use crate::elimination::{
-    Control, Derivation, Interrupted, NamedStep, Outcome, Progress, Source, System, Undecided, eliminate,
-    points_in_field,
+    Closure, Control, Derivation, Interrupted, NamedStep, Outcome, Progress, Source, System, Tried,
+    Undecided, eliminate, points_in_field,
 };
 use crate::exact::{self, Limit, Stop, Work};
 use crate::statement::{Statement, Subject};
+
+pub use extension::Extension;
+use zero::{Best, one_of_many, undecided};
+pub use zero::{Freedom, image_of};
 
 /// How an attempt at a statement ended.
 #[allow(clippy::large_enum_variant, reason = "one or two are alive at a time")]
@@ -25,6 +28,8 @@ pub enum Attempt {
         certificate: Certificate,
         /// What the checker made of it.
         theorem: Box<Theorem>,
+        /// What was chosen where there are infinitely many zeros.
+        freedom: Freedom,
     },
     /// Neither was established.
     Undecided(Reason),
@@ -33,7 +38,9 @@ pub enum Attempt {
 /// Why nothing was established.
 #[derive(Debug, Clone)]
 pub enum Reason {
-    /// Elimination found neither 1 nor a point.
+    /// There are common zeros over the algebraic closure, and none in K was found.
+    Consistent(Box<Consistent>),
+    /// Elimination did not come to an end.
     Elimination(Undecided),
     /// The only common zero makes the denominator W of the patch vanish identically: it is no patch.
     NoDenominator,
@@ -44,6 +51,17 @@ pub enum Reason {
         /// Whether an argument was found; if not, the checker cannot derive the equations, and none was looked for.
         found: bool,
     },
+}
+
+/// Equations that have common zeros, and what is known of them.
+#[derive(Debug, Clone)]
+pub struct Consistent {
+    /// What the equations are equivalent to.
+    pub closure: Closure,
+    /// Where there are infinitely many zeros, the values that were tried.
+    pub tried: Option<Tried>,
+    /// A larger field in which there is a zero.
+    pub extension: Option<Extension>,
 }
 
 /// What goes wrong in an attempt without being an answer.
@@ -151,14 +169,26 @@ fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, NoAns
             let argument = Argument::Impossible(steps(&derivation, unit)?);
             Ok(checked(statement, argument)?)
         }
-        Outcome::Point(point) => Ok(best_point(statement, vec![point])?.unwrap_or(NO_DENOMINATOR)),
+        Outcome::Point(point) => {
+            let mut best = Best::default();
+            let _ = best.consider(statement, point, &Freedom::default());
+            Ok(best.take()?.unwrap_or(NO_DENOMINATOR))
+        }
+        Outcome::Open(Undecided::Consistent(closure)) if closure.dimension > 0 => {
+            one_of_many(statement, &system, closure, control)
+        }
         Outcome::Open(Undecided::Consistent(closure)) => {
             let points = match points_in_field(&system, &closure, control) {
                 Ok(points) => points,
                 Err(why) => return Ok(interrupted(why, control)),
             };
-            let undecided = Attempt::Undecided(Reason::Elimination(Undecided::Consistent(closure)));
-            Ok(best_point(statement, points)?.unwrap_or(undecided))
+            let mut best = Best::default();
+            for point in points {
+                if best.consider(statement, point, &Freedom::default()).is_break() {
+                    break;
+                }
+            }
+            Ok(best.take()?.unwrap_or_else(|| undecided(statement, &system, closure, None, control)))
         }
         Outcome::Open(undecided) => Ok(Attempt::Undecided(Reason::Elimination(undecided))),
     }
@@ -166,40 +196,15 @@ fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, NoAns
 
 const NO_DENOMINATOR: Attempt = Attempt::Undecided(Reason::NoDenominator);
 
-/// Of several solutions the first with positive weights, or else the first; `None` if none makes a patch.
-fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<Option<Attempt>, NoAnswer> {
-    let (mut best, mut limit) = (None, None);
-    for point in points {
-        let constants = point.into_iter().take(statement.unknowns().len()).map(Polynomial::constant);
-        let values = constants.map(|value| polynomial_to_exact(&value)).collect::<Result<_, _>>()?;
-        match checked(statement, Argument::Exact(values)) {
-            Ok(attempt) => {
-                let positive = matches!(&attempt, Attempt::Proved { theorem, .. }
-                    if !matches!(theorem.claim(), Claim::Exact(ExactNet { weights_positive: false, .. })));
-                if positive {
-                    return Ok(Some(attempt));
-                }
-                best = best.or(Some(attempt));
-            }
-            Err(CheckError::Rejected(Rejection::Exact(ExactRejection::NoDenominator))) => {}
-            Err(error) => match NoAnswer::from(error) {
-                // Another solution may be shorter.
-                NoAnswer::Limit(reached) => limit = limit.or(Some(reached)),
-                error @ NoAnswer::Error(_) => return Err(error),
-            },
-        }
-    }
-    match (best, limit) {
-        (None, Some(limit)) => Err(NoAnswer::Limit(limit)),
-        (best, _) => Ok(best),
-    }
-}
-
 /// The certificate with this argument, and what the checker says of it.
 fn checked(statement: &Statement, argument: Argument) -> Result<Attempt, CheckError> {
     let certificate = Certificate { statement: statement.hash(), argument };
     let theorem = check_read(statement, &certificate);
-    theorem.map(|theorem| Attempt::Proved { certificate, theorem: Box::new(theorem) })
+    theorem.map(|theorem| Attempt::Proved {
+        certificate,
+        theorem: Box::new(theorem),
+        freedom: Freedom::default(),
+    })
 }
 
 fn steps(derivation: &Derivation<'_>, unit: Source) -> Result<Vec<Step>, Limit> {

@@ -23,6 +23,14 @@ impl MultiquadraticField {
         MultiquadraticField { radicands, rank: values.len() }
     }
 
+    /// The field with these radicands, primes, as well; `None` where they would be more than four.
+    pub fn with(&self, primes: &[u32]) -> Option<Self> {
+        let mut all: Vec<u32> = self.radicands().iter().chain(primes).copied().collect();
+        all.sort_unstable();
+        all.dedup();
+        (all.len() <= self.radicands.len()).then(|| MultiquadraticField::new(&all))
+    }
+
     /// The radicands, increasing.
     pub fn radicands(&self) -> &[u32] {
         &self.radicands[..self.rank]
@@ -134,6 +142,30 @@ impl FieldElement {
     /// Whether this lies in Q.
     pub fn is_rational(&self) -> bool {
         self.numerators[1..].iter().all(Integer::is_zero)
+    }
+
+    /// The same number in a field that contains K.
+    ///
+    /// # Panics
+    /// If a radicand of K is not one of the larger field.
+    pub fn over(&self, larger: MultiquadraticField) -> Self {
+        let place = |d: &u32| larger.radicands().iter().position(|other| other == d).expect("a larger field");
+        let places: Vec<usize> = self.field.radicands().iter().map(place).collect();
+        let mut numerators = vec![Integer::zero(); larger.degree()];
+        for (subset, numerator) in self.numerators.iter().enumerate() {
+            let bits = places.iter().enumerate().filter(|(bit, _)| subset >> bit & 1 == 1);
+            numerators[bits.map(|(_, place)| 1 << place).sum::<usize>()] = numerator.clone();
+        }
+        FieldElement { field: larger, numerators, denominator: self.denominator.clone() }
+    }
+
+    /// Whether only roots of radicands of the other field occur.
+    pub fn lies_in(&self, smaller: MultiquadraticField) -> bool {
+        let foreign = |bit: usize| !smaller.radicands().contains(&self.field.radicands()[bit]);
+        let occurs = |bit: usize| {
+            self.numerators.iter().enumerate().any(|(subset, n)| subset >> bit & 1 == 1 && !n.is_zero())
+        };
+        (0..self.field.rank).all(|bit| !foreign(bit) || !occurs(bit))
     }
 
     /// The image under √d ↦ −√d for the radicand of one bit.

@@ -130,6 +130,23 @@ impl Polynomial {
         Polynomial { field: self.field, terms: sum.into_iter().rev().collect() }
     }
 
+    /// The value at a point, given by variable.
+    pub fn evaluate(&self, at: &[FieldElement]) -> FieldElement {
+        let value = |(monomial, coefficient): &(Monomial, FieldElement)| {
+            let powers = monomial.powers().iter();
+            let factors =
+                powers.flat_map(|&(v, exponent)| std::iter::repeat_n(&at[usize::from(v)], exponent as usize));
+            factors.fold(coefficient.clone(), |product, factor| &product * factor)
+        };
+        self.terms.iter().fold(self.field.zero(), |sum, term| &sum + &value(term))
+    }
+
+    /// The same polynomial over a field that contains K.
+    pub fn over(&self, larger: MultiquadraticField) -> Self {
+        let terms = self.terms.iter().map(|(monomial, value)| (monomial.clone(), value.over(larger)));
+        Polynomial { field: larger, terms: terms.collect() }
+    }
+
     /// The variables that occur, increasing.
     pub fn variables(&self) -> Vec<u16> {
         let powers = self.terms.iter().flat_map(|(monomial, _)| monomial.powers());

@@ -50,6 +50,11 @@ impl PrimeField {
         self.p
     }
 
+    /// The image of √(ΠS).
+    pub(super) fn root(&self, subset: usize) -> u64 {
+        self.roots[subset]
+    }
+
     /// a·b.
     pub fn multiply(&self, a: u64, b: u64) -> u64 {
         a * b % self.p

@@ -1,4 +1,4 @@
-//! Polynomials in one variable over K: common divisors, roots in K, number of real roots.
+//! Polynomials in one variable over K: common divisors, quadratic formula, number of real roots.
 
 use super::field::{FieldElement, MultiquadraticField};
 use super::sign::Sign;
@@ -65,20 +65,39 @@ impl Univariate {
         if a.degree() == 0 { self.clone() } else { self.divide(&a).0 }
     }
 
-    /// The roots in K of the linear and quadratic squarefree polynomials; `None` for higher degrees, where they
-    /// are not looked for.
-    pub fn roots_in_field(&self) -> Option<Vec<FieldElement>> {
-        match self.squarefree().coefficients.as_slice() {
-            [b, a] => Some(vec![-&(b * &a.inverse()?)]),
-            [c, b, a] => {
-                let four = self.field.integer(4);
-                let discriminant = &(b * b) - &(&four * &(a * c));
-                let denominator = (&self.field.integer(2) * a).inverse()?;
-                let Some(root) = discriminant.square_root() else { return Some(Vec::new()) };
-                Some([&-b + &root, &-b - &root].iter().map(|numerator| numerator * &denominator).collect())
+    /// The same polynomial over a field that contains K.
+    pub fn over(&self, larger: MultiquadraticField) -> Self {
+        Univariate::new(larger, self.coefficients.iter().map(|c| c.over(larger)).collect())
+    }
+
+    /// K.
+    pub fn field(&self) -> MultiquadraticField {
+        self.field
+    }
+
+    /// The polynomial divided by x − root.
+    pub(super) fn without_root(&self, root: &FieldElement) -> Self {
+        self.divide(&Univariate::new(self.field, vec![-root, self.field.one()])).0
+    }
+
+    /// The roots in K of a squarefree polynomial of degree 1 or 2; none of any other.
+    pub(super) fn quadratic_roots(&self) -> Vec<FieldElement> {
+        let halved = |a: &FieldElement| (&self.field.integer(2) * a).inverse();
+        match self.coefficients.as_slice() {
+            [b, a] => a.inverse().map(|inverse| -&(b * &inverse)).into_iter().collect(),
+            [_, b, a] => {
+                let roots = self.discriminant().and_then(|value| value.square_root()).zip(halved(a));
+                let roots = roots.map(|(root, inverse)| [&-b + &root, &-b - &root].map(|n| &n * &inverse));
+                roots.into_iter().flatten().collect()
             }
-            _ => None,
+            _ => Vec::new(),
         }
+    }
+
+    /// b² − 4ac of ax² + bx + c; `None` for other degrees.
+    pub fn discriminant(&self) -> Option<FieldElement> {
+        let [c, b, a] = self.coefficients.as_slice() else { return None };
+        Some(&(b * b) - &(&self.field.integer(4) * &(a * c)))
     }
 
     /// The number of distinct real roots: Sturm's theorem (Basu, Pollack, Roy, Algorithms in Real Algebraic

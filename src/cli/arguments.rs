@@ -44,6 +44,9 @@ struct ProveOptions {
     /// Where statement.toml and certificate.txt are written [default: proofs/NAME].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Add radicands to the statement where its values lie in a larger field.
+    #[arg(long)]
+    extend: bool,
     #[command(flatten)]
     limits: Limits,
 }
@@ -139,7 +142,7 @@ pub fn run() -> Result<Outcome, Failure> {
     }
     let prove = |source: Option<PathBuf>, options: ProveOptions| {
         let source = source.unwrap_or_else(|| PathBuf::from(DEFAULT));
-        prove::run(&source, options.output.as_deref(), &options.limits, format)
+        prove::run(&source, options.output.as_deref(), options.extend, &options.limits, format)
     };
     match line.command {
         None => prove(None, line.options),

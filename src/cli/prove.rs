@@ -7,18 +7,29 @@ use super::control::{Limits, under_control};
 use super::files::write_and_check;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
-use crate::prove::{Attempt, prove};
+use crate::prove::{Attempt, Reason, prove};
 use crate::report::{describe, json};
 
 pub(super) fn run(
     name_or_file: &Path,
     directory: Option<&Path>,
+    extend: bool,
     limits: &Limits,
     format: Format,
 ) -> Result<Outcome, Failure> {
-    let source = Source::find(name_or_file)?;
-    let attempt = under_control(limits, |control| prove(&source.statement, control))?;
-    let attempt = attempt.map_err(Failure::of)?;
+    let mut source = Source::find(name_or_file)?;
+    let (attempt, added) = under_control(limits, |control| {
+        let mut added = false;
+        loop {
+            let attempt = prove(&source.statement, control).map_err(Failure::of)?;
+            match extension_of(&attempt).filter(|_| extend) {
+                // Each time the field grows, and four radicands are the limit.
+                Some(radicands) => source = source.with_radicands(radicands)?,
+                None => return Ok((attempt, added)),
+            }
+            added = true;
+        }
+    })??;
     let files = match &attempt {
         Attempt::Proved { certificate, .. } => {
             let text = certificate.write(&source.statement.ring());
@@ -29,7 +40,12 @@ pub(super) fn run(
     let text = match format {
         Format::Text | Format::Latex => {
             let named = (source.name.as_str(), &*name_or_file.to_string_lossy());
-            describe(named, &source.statement, source.cap, &attempt, files.as_ref()).map_err(Failure::of)?
+            let described = describe(named, &source.statement, source.cap, &attempt, files.as_ref());
+            let mut text = described.map_err(Failure::of)?;
+            if added {
+                text += &format!("Extended     radicands = {:?}\n", source.statement.field().values());
+            }
+            text
         }
         Format::Json => {
             let data = json::attempt(&source.name, &source.statement, &attempt, files.as_ref())
@@ -39,4 +55,14 @@ pub(super) fn run(
     };
     let status = if files.is_some() { Status::Established } else { Status::Undecided };
     Ok(Outcome { text, status })
+}
+
+/// The radicands with which an undecided statement is exact.
+fn extension_of(attempt: &Attempt) -> Option<&[u32]> {
+    match attempt {
+        Attempt::Undecided(Reason::Consistent(consistent)) => {
+            consistent.extension.as_ref().map(|extension| extension.radicands.as_slice())
+        }
+        _ => None,
+    }
 }

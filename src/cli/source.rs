@@ -68,6 +68,20 @@ impl Source {
         Ok(Source { name: name_of(file), text, statement, cap: false })
     }
 
+    /// The same statement over a larger field: its text with these radicands.
+    pub(super) fn with_radicands(&self, radicands: &[u32]) -> Result<Source, Failure> {
+        let failure = |error: &dyn std::fmt::Display| Failure(format!("{}: {error}", self.name));
+        let document = toml::de::DeTable::parse(&self.text).map_err(|error| failure(&error))?;
+        let list = format!("{radicands:?}");
+        let mut text = self.text.clone();
+        match document.get_ref().get("radicands") {
+            Some(present) => text.replace_range(present.span(), &list),
+            None => text.insert_str(0, &format!("radicands = {list}\n")),
+        }
+        let statement = Statement::read(&text).map_err(|error| failure(&error))?;
+        Ok(Source { name: self.name.clone(), text, statement, cap: self.cap })
+    }
+
     /// Where the proof goes unless the user says otherwise.
     pub(super) fn default_directory(&self) -> PathBuf {
         Path::new("proofs").join(&self.name)

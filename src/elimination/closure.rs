@@ -4,7 +4,7 @@ use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
 use super::eliminant::eliminant;
 use super::linear::Linear;
-use crate::algebra::{Monomial, Polynomial, Univariate};
+use crate::algebra::{FieldElement, Monomial, Polynomial, Univariate};
 
 /// Zeros up to which eliminants are computed.
 const ELIMINANTS: usize = 32;
@@ -25,7 +25,18 @@ pub struct Closure {
     pub zeros: Option<usize>,
     /// Where it is finite and small, and the basis verified: for each variable the polynomial of least degree in it
     /// alone that vanishes at all zeros.
-    pub eliminants: Vec<(u16, Univariate)>,
+    pub eliminants: Vec<Eliminant>,
+}
+
+/// What one coordinate of finitely many zeros can be.
+#[derive(Debug, Clone)]
+pub struct Eliminant {
+    /// The coordinate.
+    pub variable: u16,
+    /// The polynomial of least degree that vanishes at it, whichever the zero.
+    pub polynomial: Univariate,
+    /// All its roots in K.
+    pub roots: Vec<FieldElement>,
 }
 
 impl Closure {
@@ -55,7 +66,9 @@ impl Closure {
             let field = derivation.system().field();
             for variable in variables {
                 let solved = linear.equation(derivation, variable);
-                eliminants.push((variable, eliminant(variable, solved, &basis, field, control)?));
+                let polynomial = eliminant(variable, solved, &basis, field, control)?;
+                let roots = polynomial.roots_in_field(|| control.check())?;
+                eliminants.push(Eliminant { variable, polynomial, roots });
             }
         }
         Ok(Closure { linear: linear.equations(derivation), basis, verified, dimension, zeros, eliminants })

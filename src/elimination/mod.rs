@@ -9,6 +9,7 @@
 //! Everything derived is recorded as a linear combination of what it came from (`derivation`), so that the
 //! certificate is the part of that record the 1 depends on. Primes may mislead the search, never the proof.
 
+mod choice;
 mod closure;
 mod compact;
 mod control;
@@ -28,11 +29,12 @@ mod sparsify;
 mod strategy;
 mod system;
 
-pub use closure::Closure;
+pub use choice::{ChosenZero, Tried, VALUES, choose};
+pub use closure::{Closure, Eliminant};
 pub use control::{Control, Interrupted, Progress};
 pub use derivation::{Derivation, NamedStep, Source};
 pub use echelon::{Combination, Dependence, Echelon, Inserted, SparseRow};
-pub use points::points_in_field;
+pub use points::{points_in_field, zeros_in_field};
 pub use solve::solve;
 pub use system::System;
 

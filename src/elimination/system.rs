@@ -32,6 +32,18 @@ impl System {
         System::new(self.field, self.variables, generators)
     }
 
+    /// The system of other equations in the same variables, which have no names that a certificate could use.
+    pub(super) fn with_equations(&self, equations: impl IntoIterator<Item = Polynomial>) -> Self {
+        let generators = equations.into_iter().map(|equation| (Premise::Equation(0), equation));
+        System::new(self.field, self.variables, generators)
+    }
+
+    /// The same system over a field that contains K.
+    pub fn over(&self, larger: MultiquadraticField) -> Self {
+        let generators = self.generators.iter().map(|(name, equation)| (*name, equation.over(larger)));
+        System { field: larger, variables: self.variables, generators: generators.collect() }
+    }
+
     /// K.
     pub fn field(&self) -> MultiquadraticField {
         self.field

@@ -45,12 +45,12 @@ pub fn describe(
             let _ = writeln!(text, "{}\n{surface}", statement.title());
             text += &reason_text(statement, reason)?;
         }
-        Attempt::Proved { certificate, theorem } => {
+        Attempt::Proved { certificate, theorem, freedom } => {
             let _ = writeln!(text, "{}\n", proved(name, source, theorem));
             let _ = writeln!(text, "{}\n", statement.title());
             text += &match theorem.claim() {
                 Claim::Impossible(_) => refutation(statement, cap, certificate)?,
-                _ => solution(statement, theorem),
+                _ => solution(statement, theorem, freedom),
             };
         }
     }

@@ -1,7 +1,9 @@
 //! The first line of a proof: what was established, of which surface.
 
 use super::mathematics::Notation;
+use crate::bezier::Image;
 use crate::checker::{Claim, Theorem};
+use crate::prove::image_of;
 use crate::statement::{Statement, Subject};
 
 /// Characters of a surface in a first line; a longer one is cut there, and stands in full below.
@@ -55,11 +57,14 @@ pub(super) fn headline(name: &str, source: &str, theorem: &Theorem) -> String {
         Claim::Impossible { .. } => {
             format!("PROVED  {name}: no common zero, for any {}{}", values_of(unknowns), assuming(statement))
         }
-        Claim::Exact { .. } if unknowns.is_empty() => {
-            format!("EXACT  {name}: this patch lies on {}", surface_phrase(statement))
-        }
-        Claim::Exact { .. } => {
-            format!("EXACT  {name}: at the values below the patch lies on {}", surface_phrase(statement))
+        Claim::Exact(exact) => {
+            let patch = if unknowns.is_empty() { "this patch" } else { "at the values below the patch" };
+            let lies = match image_of(statement, &exact.net) {
+                Image::Surface => "lies on",
+                Image::Curve => "shrinks to a curve, which lies on",
+                Image::Point => "shrinks to a point, which lies on",
+            };
+            format!("EXACT  {name}: {patch} {lies} {}", surface_phrase(statement))
         }
         Claim::Solution { .. } if unknowns.is_empty() => {
             format!("EXACT  {name}: the equations of the system hold")

@@ -5,12 +5,13 @@ use serde::Serialize;
 use super::attempt::Files;
 
 use crate::algebra::{self, polynomial_to_exact};
+use crate::bezier::Image;
 use crate::certificate::{Argument, Step};
 use crate::checker::{Claim, ExactNet, Solution, Theorem};
-use crate::elimination::Undecided;
+use crate::elimination::{Closure, Undecided, VALUES};
 use crate::exact::{Limit, Polynomial};
 use crate::expand::{Basis, Coefficient, coefficients};
-use crate::prove::{Attempt, Reason};
+use crate::prove::{Attempt, Consistent, Reason, image_of};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
 /// The convention of every net that is written: X, Y, Z, W, premultiplied.
@@ -92,6 +93,15 @@ pub struct AttemptData {
     net: Option<Vec<Vec<[String; 4]>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     weights_positive: Option<bool>,
+    /// `surface`, `curve` or `point`: what the patch is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    image: Option<&'static str>,
+    /// Where there are infinitely many zeros: the values that were chosen.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    chosen: Vec<ValueData>,
+    /// Unknowns that occur in no equation.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    indifferent: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<ReasonData>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -115,6 +125,14 @@ struct EliminantData {
     real_roots: Option<usize>,
 }
 
+/// Values that were tried in vain.
+#[derive(Debug, Serialize)]
+struct TriedData {
+    unknowns: Vec<String>,
+    values: Vec<String>,
+    choices: usize,
+}
+
 /// Why nothing was established.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
@@ -125,6 +143,12 @@ enum ReasonData {
         verified: bool,
         basis: Vec<String>,
         eliminants: Vec<EliminantData>,
+        /// Where there are infinitely many zeros: for which unknowns values were tried, and how many choices.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        tried: Option<TriedData>,
+        /// Radicands with which there is a zero.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        exact_with_radicands: Option<Vec<u32>>,
     },
     TooLarge {
         degree: u32,
@@ -207,6 +231,9 @@ pub fn attempt(
         convention: None,
         net: None,
         weights_positive: None,
+        image: None,
+        chosen: Vec::new(),
+        indifferent: Vec::new(),
         reason: None,
         theorem: None,
         files: files.map(|files| FilesData {
@@ -216,7 +243,7 @@ pub fn attempt(
     };
     match attempt {
         Attempt::Undecided(why) => data.reason = Some(reason(of, why)?),
-        Attempt::Proved { certificate, theorem } => {
+        Attempt::Proved { certificate, theorem, freedom } => {
             data.verdict = if matches!(theorem.claim(), Claim::Impossible(_)) { "PROVED" } else { "EXACT" };
             data.claim = Some(theorem.kind());
             data.theorem = Some(theorem.sentence());
@@ -224,6 +251,13 @@ pub fn attempt(
                 data.steps = Some(steps.iter().map(|step| step_data(of, step)).collect());
             }
             solution(&mut data, theorem);
+            let unknown = |k: usize| of.unknowns().get(k).cloned();
+            data.indifferent = freedom.indifferent.iter().filter_map(|&k| unknown(k)).collect();
+            for (k, value) in &freedom.chosen {
+                let Some(unknown) = unknown(*k) else { continue };
+                let constant = polynomial_to_exact(&algebra::Polynomial::constant(value.clone()))?;
+                data.chosen.push(ValueData { unknown, value: of.ring().spell(&constant) });
+            }
         }
     }
     Ok(data)
@@ -243,6 +277,11 @@ fn solution(data: &mut AttemptData, theorem: &Theorem) {
             data.convention = Some(CONVENTION);
             data.net = Some(net(statement, points));
             data.weights_positive = Some(*weights_positive);
+            data.image = Some(match image_of(statement, points) {
+                Image::Surface => "surface",
+                Image::Curve => "curve",
+                Image::Point => "point",
+            });
         }
         Claim::Solution(Solution { values }) => data.values = named(values),
         _ => {}
@@ -274,29 +313,57 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
             why: why.to_string(),
             reached: reached.as_ref().map(ToString::to_string),
         },
-        Reason::Elimination(Undecided::Consistent(closure)) => {
-            let mut basis = Vec::new();
-            for polynomial in closure.linear.iter().chain(&closure.basis) {
-                basis.push(statement.ring().spell(&polynomial_to_exact(polynomial)?));
-            }
-            let mut eliminants = Vec::new();
-            for (variable, eliminant) in &closure.eliminants {
-                let Some(unknown) = statement.unknowns().get(usize::from(*variable)) else { continue };
-                let mut coefficients = Vec::new();
-                for c in eliminant.coefficients() {
-                    let constant = polynomial_to_exact(&algebra::Polynomial::constant(c.clone()))?;
-                    coefficients.push(statement.ring().spell(&constant));
+        Reason::Consistent(consistent) => {
+            let Consistent { closure, tried, extension } = consistent.as_ref();
+            let tried = tried.as_ref().map(|tried| {
+                let name = |&k: &u16| statement.unknowns().get(usize::from(k)).cloned();
+                TriedData {
+                    unknowns: tried.unknowns.iter().filter_map(name).collect(),
+                    values: VALUES.iter().map(|(above, below)| fraction(*above, *below)).collect(),
+                    choices: tried.choices,
                 }
-                let real_roots = eliminant.count_real_roots();
-                eliminants.push(EliminantData { unknown: unknown.clone(), coefficients, real_roots });
-            }
-            ReasonData::Consistent {
-                dimension: closure.dimension,
-                zeros: closure.zeros,
-                verified: closure.verified,
-                basis,
-                eliminants,
-            }
+            });
+            let radicands = extension.as_ref().map(|extension| extension.radicands.clone());
+            consistent_data(statement, closure, tried, radicands)?
         }
+        Reason::Elimination(Undecided::Consistent(closure)) => {
+            consistent_data(statement, closure, None, None)?
+        }
+    })
+}
+
+fn fraction(above: i64, below: u32) -> String {
+    if below == 1 { above.to_string() } else { format!("{above}/{below}") }
+}
+
+fn consistent_data(
+    statement: &Statement,
+    closure: &Closure,
+    tried: Option<TriedData>,
+    exact_with_radicands: Option<Vec<u32>>,
+) -> Result<ReasonData, Limit> {
+    let mut basis = Vec::new();
+    for polynomial in closure.linear.iter().chain(&closure.basis) {
+        basis.push(statement.ring().spell(&polynomial_to_exact(polynomial)?));
+    }
+    let mut eliminants = Vec::new();
+    for eliminant in &closure.eliminants {
+        let Some(unknown) = statement.unknowns().get(usize::from(eliminant.variable)) else { continue };
+        let mut coefficients = Vec::new();
+        for c in eliminant.polynomial.coefficients() {
+            let constant = polynomial_to_exact(&algebra::Polynomial::constant(c.clone()))?;
+            coefficients.push(statement.ring().spell(&constant));
+        }
+        let real_roots = eliminant.polynomial.count_real_roots();
+        eliminants.push(EliminantData { unknown: unknown.clone(), coefficients, real_roots });
+    }
+    Ok(ReasonData::Consistent {
+        dimension: closure.dimension,
+        zeros: closure.zeros,
+        verified: closure.verified,
+        basis,
+        eliminants,
+        tried,
+        exact_with_radicands,
     })
 }

@@ -2,12 +2,15 @@
 
 use std::fmt::Write as _;
 
+use super::attempt::wrapped_at;
 use super::mathematics::Notation;
 use crate::checker::{Claim, ExactNet, Solution, Theorem};
-use crate::statement::{COORDINATES, Statement};
+use crate::exact::Polynomial;
+use crate::prove::Freedom;
+use crate::statement::{COORDINATES, Statement, Subject};
 
 /// The values of the unknowns and the net at them.
-pub(super) fn solution(statement: &Statement, theorem: &Theorem) -> String {
+pub(super) fn solution(statement: &Statement, theorem: &Theorem, freedom: &Freedom) -> String {
     let notation = Notation::new(statement.ring());
     let mut text = String::new();
     let (values, net) = match theorem.claim() {
@@ -22,6 +25,7 @@ pub(super) fn solution(statement: &Statement, theorem: &Theorem) -> String {
             let _ = writeln!(text, "   {name:<width$} = {}", notation.polynomial(value));
         }
         text.push('\n');
+        text += &choice(statement, &notation, values, freedom);
     }
     let Some(net) = net else { return text };
     let _ = writeln!(text, "The control net, premultiplied (X, Y, Z, W) = (wx, wy, wz, w)");
@@ -44,5 +48,31 @@ pub(super) fn solution(statement: &Statement, theorem: &Theorem) -> String {
         }
     }
     text.push('\n');
+    text
+}
+
+/// What was free, and which values were chosen.
+fn choice(statement: &Statement, notation: &Notation, values: &[Polynomial], freedom: &Freedom) -> String {
+    let named = |k: &usize| {
+        Some(format!("{} = {}", statement.unknowns().get(*k)?, notation.polynomial(values.get(*k)?)))
+    };
+    let mut text = String::new();
+    if !freedom.chosen.is_empty() {
+        let chosen: Vec<String> = freedom.chosen.iter().filter_map(|(k, _)| named(k)).collect();
+        let verb = if chosen.len() == 1 { "was" } else { "were" };
+        let of_many = if freedom.infinite { "One of infinitely many over the complex numbers: " } else { "" };
+        let _ =
+            writeln!(text, "{}", wrapped_at(&format!("{of_many}{} {verb} chosen.", chosen.join(", ")), 0));
+    }
+    let equation = match statement.subject() {
+        Subject::Patch(_) => "coefficient",
+        Subject::System(_) => "equation",
+    };
+    for name in freedom.indifferent.iter().filter_map(|&k| statement.unknowns().get(k)) {
+        let _ = writeln!(text, "{name} occurs in no {equation}: with any value of it the equations hold.");
+    }
+    if !text.is_empty() {
+        text.push('\n');
+    }
     text
 }

@@ -2,29 +2,28 @@
 
 use std::fmt::Write as _;
 
-use super::attempt::LINE;
+use super::attempt::{LINE, wrapped_at};
 use super::mathematics::Notation;
-use crate::algebra::{Monomial, Polynomial, polynomial_to_exact};
-use crate::elimination::{Closure, Undecided};
-use crate::exact::Limit;
-use crate::prove::{Reason, field_of};
-use crate::statement::Statement;
+use crate::algebra::{FieldElement, Monomial, Polynomial, Sign, polynomial_to_exact};
+use crate::elimination::{Closure, Eliminant, Tried, Undecided, VALUES};
+use crate::exact::{Limit, Radicands};
+use crate::prove::{Consistent, Extension, Reason, field_of};
+use crate::statement::{Statement, Subject};
 
 /// Polynomials of a basis that are printed.
 const BASIS: usize = 16;
+
+const UNVERIFIED: &str = "neither a contradiction nor a zero was established";
 
 /// The reason in a few words.
 pub(super) fn headline(reason: &Reason) -> &'static str {
     match reason {
         Reason::NoDenominator => "the only solution has no denominator",
         Reason::Limited { .. } => "beyond the limits of the checker",
-        Reason::Elimination(Undecided::Consistent(closure)) if !closure.verified => {
-            "neither a contradiction nor a zero was established"
-        }
-        Reason::Elimination(Undecided::Consistent(closure)) if closure.dimension > 0 => {
-            "infinitely many complex zeros"
-        }
-        Reason::Elimination(Undecided::Consistent(_)) => "there are complex zeros",
+        Reason::Elimination(Undecided::Consistent(closure)) if !closure.verified => UNVERIFIED,
+        Reason::Consistent(consistent) if !consistent.closure.verified => UNVERIFIED,
+        Reason::Consistent(consistent) if consistent.closure.dimension > 0 => "infinitely many complex zeros",
+        Reason::Consistent(_) | Reason::Elimination(Undecided::Consistent(_)) => "there are complex zeros",
         Reason::Elimination(Undecided::TooLarge { .. }) => "the search became too large",
         Reason::Elimination(Undecided::Interrupted { .. }) => "stopped early",
     }
@@ -64,51 +63,120 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
                 let _ = writeln!(text, "Reached: {reached}.");
             }
         }
-        Reason::Elimination(Undecided::Consistent(closure)) => {
-            let field = statement.field();
-            let zeros = match closure.zeros {
-                Some(count) => {
-                    format!("finitely many over the complex numbers: {count}, counted with multiplicity")
-                }
-                None => format!(
-                    "infinitely many over the complex numbers: a set of dimension {}",
-                    closure.dimension
-                ),
-            };
-            let _ = match closure.verified {
-                true => writeln!(
-                    text,
-                    "A Gröbner basis, verified over {field}, does not contain 1, so the equations have common zeros,\n\
-                     {zeros}.\nA certificate of impossibility therefore does not exist.\n"
-                ),
-                false => writeln!(
-                    text,
-                    "What looks like a Gröbner basis modulo a prime does not contain 1. Over {field} that was not verified. If it is\n\
-                     one, the equations have common zeros, {zeros}.\n"
-                ),
-            };
-            let everywhere = closure.linear.is_empty() && closure.basis.is_empty();
-            if !everywhere {
-                text += &coordinates(statement, closure)?;
+        // Elimination by itself says this; an attempt looks for zeros before it gives up.
+        Reason::Elimination(Undecided::Consistent(closure)) => text += &closure_text(statement, closure)?,
+        Reason::Consistent(consistent) => {
+            let Consistent { closure, tried, extension } = consistent.as_ref();
+            text += &closure_text(statement, closure)?;
+            if let Some(tried) = tried {
+                let _ = writeln!(text, "\n{}", tried_text(statement, tried));
             }
-            let notation = Notation::new(statement.ring());
-            let basis: Vec<_> = closure.linear.iter().chain(&closure.basis).collect();
-            let heading = match basis.as_slice() {
-                [] => {
-                    "The equations hold for all values of the unknowns: give them values to have the result verified."
-                }
-                _ if closure.verified => "The equations are equivalent to",
-                _ => "From the equations follow",
-            };
-            let _ = writeln!(text, "{heading}");
-            for polynomial in basis.iter().take(BASIS) {
-                let exact = polynomial_to_exact(polynomial)?;
-                let _ = writeln!(text, "   {} = 0", notation.shortened(&exact, LINE));
-            }
-            if basis.len() > BASIS {
-                let _ = writeln!(text, "   … and {} more", basis.len() - BASIS);
+            if let Some(extension) = extension {
+                let _ = writeln!(text, "\n{}", extension_text(statement, extension)?);
             }
         }
+    }
+    Ok(text)
+}
+
+/// Which values were tried.
+fn tried_text(statement: &Statement, tried: &Tried) -> String {
+    let names = tried.unknowns.iter().filter_map(|&k| statement.unknowns().get(usize::from(k)));
+    let names = names.map(String::as_str).collect::<Vec<_>>().join(", ");
+    let field = statement.field();
+    if names.is_empty() {
+        return format!("No unknown was left to be chosen, and no zero in {field} was found.");
+    }
+    let count = tried.choices;
+    let choices = if count == 1 { "1 choice".to_owned() } else { format!("{count} choices") };
+    let values = VALUES.map(|(above, below)| {
+        let sign = if above < 0 { "−" } else { "" };
+        let above = above.unsigned_abs();
+        if below == 1 { format!("{sign}{above}") } else { format!("{sign}{above}/{below}") }
+    });
+    let subject = match statement.subject() {
+        Subject::Patch(_) => "patch",
+        Subject::System(_) => "zero",
+    };
+    wrapped_at(
+        &format!(
+            "The values {} were tried for {names}, one unknown after another, {choices} in all: no {subject} \
+             over {field} was found.",
+            values.join(", ")
+        ),
+        0,
+    )
+}
+
+/// The field in which there is a zero.
+fn extension_text(statement: &Statement, extension: &Extension) -> Result<String, Limit> {
+    let mut ring = statement.ring();
+    let Ok(field) = Radicands::new(extension.radicands.clone()) else { return Ok(String::new()) };
+    ring.field = field;
+    let notation = Notation::new(ring);
+    let spell = |value: &FieldElement| {
+        Ok::<_, Limit>(notation.polynomial(&polynomial_to_exact(&Polynomial::constant(value.clone()))?))
+    };
+    let mut found = Vec::new();
+    for (unknown, values) in &extension.values {
+        let Some(name) = statement.unknowns().get(*unknown) else { continue };
+        let value = match values.as_slice() {
+            [a, b] if *a == -b && a.sign() == Sign::Negative => format!("±{}", spell(b)?),
+            [a, b] if *a == -b && spell(a)?.split(' ').count() == 1 => format!("±{}", spell(a)?),
+            _ => values.iter().map(spell).collect::<Result<Vec<_>, _>>()?.join(" or "),
+        };
+        found.push(format!("{name} = {value}"));
+    }
+    let radicands = format!("with radicands = {:?} this is EXACT (prove --extend)", extension.radicands);
+    Ok(wrapped_at(
+        &match found.is_empty() {
+            true => format!("But {radicands}."),
+            false => format!("{}; {radicands}.", found.join(", ")),
+        },
+        0,
+    ))
+}
+
+/// What the equations are equivalent to, and what that says of their zeros.
+fn closure_text(statement: &Statement, closure: &Closure) -> Result<String, Limit> {
+    let mut text = String::new();
+    let field = statement.field();
+    let zeros = match closure.zeros {
+        Some(count) => {
+            format!("finitely many over the complex numbers: {count}, counted with multiplicity")
+        }
+        None => format!("infinitely many over the complex numbers: a set of dimension {}", closure.dimension),
+    };
+    let _ = match closure.verified {
+        true => writeln!(
+            text,
+            "A Gröbner basis, verified over {field}, does not contain 1, so the equations have common zeros,\n\
+             {zeros}.\nA certificate of impossibility therefore does not exist.\n"
+        ),
+        false => writeln!(
+            text,
+            "What looks like a Gröbner basis modulo a prime does not contain 1. Over {field} that was not verified. If it is\n\
+             one, the equations have common zeros, {zeros}.\n"
+        ),
+    };
+    let everywhere = closure.linear.is_empty() && closure.basis.is_empty();
+    if !everywhere {
+        text += &coordinates(statement, closure)?;
+    }
+    let notation = Notation::new(statement.ring());
+    let basis: Vec<_> = closure.linear.iter().chain(&closure.basis).collect();
+    let heading = match basis.as_slice() {
+        [] => "The equations hold for all values of the unknowns.",
+        _ if closure.verified => "The equations are equivalent to",
+        _ => "From the equations follow",
+    };
+    let _ = writeln!(text, "{heading}");
+    for polynomial in basis.iter().take(BASIS) {
+        let exact = polynomial_to_exact(polynomial)?;
+        let _ = writeln!(text, "   {} = 0", notation.shortened(&exact, LINE));
+    }
+    if basis.len() > BASIS {
+        let _ = writeln!(text, "   … and {} more", basis.len() - BASIS);
     }
     Ok(text)
 }
@@ -117,14 +185,15 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
 fn coordinates(statement: &Statement, closure: &Closure) -> Result<String, Limit> {
     let field = statement.field();
     let unknowns = statement.unknowns();
-    let of_unknowns = closure.eliminants.iter().filter_map(|(variable, eliminant)| {
-        Some((*variable, unknowns.get(usize::from(*variable))?, eliminant))
-    });
+    let of_unknowns = closure
+        .eliminants
+        .iter()
+        .filter_map(|eliminant| Some((unknowns.get(usize::from(eliminant.variable))?, eliminant)));
     let mut text = String::new();
     let (mut real, mut in_field) = (true, true);
-    for (variable, name, eliminant) in of_unknowns {
+    for (name, Eliminant { variable, polynomial: eliminant, roots: inside }) in of_unknowns {
         let terms = (0u32..).zip(eliminant.coefficients()).map(|(k, c)| {
-            let powers = if k == 0 { Vec::new() } else { vec![(variable, k)] };
+            let powers = if k == 0 { Vec::new() } else { vec![(*variable, k)] };
             (Monomial::from_powers(powers), c.clone())
         });
         let polynomial = Polynomial::from_terms(field_of(statement), terms);
@@ -138,13 +207,11 @@ fn coordinates(statement: &Statement, closure: &Closure) -> Result<String, Limit
             Some(count) => format!("{count} real roots"),
             None => "real roots not counted".to_owned(),
         };
-        let inside = match eliminant.roots_in_field() {
-            Some(roots) if roots.is_empty() => {
-                in_field = false;
-                format!(", none in {field}")
-            }
-            Some(_) => String::new(),
-            None => format!(", not searched for roots in {field}"),
+        let inside = if inside.is_empty() {
+            in_field = false;
+            format!(", none in {field}")
+        } else {
+            String::new()
         };
         let _ = writeln!(text, "   {name} is a root of {formula}: {roots}{inside}");
     }
@@ -153,7 +220,7 @@ fn coordinates(statement: &Statement, closure: &Closure) -> Result<String, Limit
         (_, false, _) => {
             "So no zero is real. That was computed, but this program has no certificate for it.".to_owned()
         }
-        (_, _, false) => format!("So no zero lies in {field}; one over a larger field may be real."),
+        (_, _, false) => format!("So no zero lies in {field}."),
         _ => format!("No zero in {field} was found; that there is none was not decided."),
     };
     let _ = writeln!(text, "{conclusion}\n");

@@ -2,6 +2,7 @@
 
 mod algebra;
 mod bounds;
+mod choices;
 mod construction;
 mod expansion;
 mod families;
@@ -11,3 +12,4 @@ mod roots;
 mod scale;
 mod scaling;
 mod systems;
+mod zeros;

@@ -9,9 +9,8 @@
 //! - random dense quadratics, more than unknowns: without common zeros.
 
 use itertools::Itertools;
-use prove_cap::checker::Claim;
-use prove_cap::elimination::{Control, Undecided};
-use prove_cap::prove::{Attempt, Reason, prove};
+use prove_cap::elimination::{Control, Outcome, Undecided, eliminate};
+use prove_cap::prove::{Attempt, prove, system_of};
 use prove_cap::statement::Statement;
 
 /// Polynomials in x0, x1, …
@@ -40,16 +39,16 @@ impl System {
             self.polynomials
         );
         let statement = Statement::read(&text).unwrap_or_else(|error| panic!("{error}"));
-        match prove(&statement, &Control::default()).unwrap() {
-            Attempt::Proved { theorem, .. } => match theorem.claim() {
-                Claim::Impossible(_) => Answer::Impossible,
+        match eliminate(&system_of(&statement), &Control::default()).1 {
+            Outcome::Unit(_) => match prove(&statement, &Control::default()).unwrap() {
+                Attempt::Proved { theorem, .. } if theorem.kind() == "impossible" => Answer::Impossible,
                 other => panic!("{other:?}"),
             },
-            Attempt::Undecided(Reason::Elimination(Undecided::Consistent(closure))) => {
+            Outcome::Open(Undecided::Consistent(closure)) => {
                 assert!(closure.verified, "a basis that is reported was verified over K");
                 Answer::Consistent(closure.dimension, closure.zeros)
             }
-            undecided @ Attempt::Undecided(_) => panic!("{undecided:?}"),
+            other => panic!("{other:?}"),
         }
     }
 }

@@ -24,7 +24,7 @@ pub(super) fn proved(
     let statement = Statement::read(&entry.statement()).map_err(|error| at.wrong(error.to_string()))?;
     let attempt = prove(&statement, control).map_err(|error| at.wrong(error.to_string()))?;
     Ok(match &attempt {
-        Attempt::Proved { certificate, theorem } => {
+        Attempt::Proved { certificate, theorem, .. } => {
             let found = match theorem.claim() {
                 Claim::Impossible(_) => Expectation::Impossible,
                 _ => Expectation::Exact,

@@ -4,6 +4,8 @@
 //! t, and a common root in K is what the number should be. In the same way the first three numbers of a point are
 //! multiplied by t: with t the weight or its inverse, the point is given in the wrong convention.
 
+use std::convert::Infallible;
+
 use super::printed::{Convention, PrintedNet, premultiplied};
 use crate::algebra::{FieldElement, Polynomial as Univariable, Univariate, polynomial_to_exact};
 use crate::audit::AuditError;
@@ -172,7 +174,7 @@ fn common_roots(form: &BernsteinForm) -> Vec<FieldElement> {
     if shortest.degree() == 0 {
         return Vec::new();
     }
-    let mut roots = shortest.roots_in_field().unwrap_or_default();
+    let Ok(mut roots) = shortest.roots_in_field(|| Ok::<(), Infallible>(()));
     roots.dedup();
     roots.retain(|root| equations.iter().all(|equation| equation.evaluate(root).is_zero()));
     roots
