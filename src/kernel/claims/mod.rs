@@ -166,6 +166,16 @@ registry! {
         Cover(Covered);
 }
 
+impl Argument {
+    /// The version of the format that has everything the argument uses.
+    pub(crate) fn version(&self) -> u32 {
+        match self {
+            Argument::Bounds(bounds) => bounds.version(),
+            _ => 1,
+        }
+    }
+}
+
 impl From<exact::Zero> for Claim {
     fn from(zero: exact::Zero) -> Self {
         match zero {
