@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 use super::end::{BOXES, Search, small};
 use super::scene::Scene;
@@ -96,9 +96,12 @@ pub fn enclose(
     let quantity = quantity_of(statement).ok_or(EnclosureError::NotAPatch)?;
     within_limits(statement, values, quantity, places)?;
     let scene = Scene::of(statement, values)?;
-    let denominator = positive(&scene.weight, BOXES, control).map_err(|why| match why {
-        NoTree::Fails { at, zero } => EnclosureError::Denominator { at, zero, vanishes: !zero },
-        NoTree::Near(near) => EnclosureError::NearZero(near),
+    let denominator = positive(&scene.weight, BOXES, &|near| scene.simple(near), control);
+    let denominator = denominator.map_err(|why| match why {
+        NoTree::Fails { at, zero } => {
+            EnclosureError::Denominator { at: Box::new(scene.outer(&at)), zero, vanishes: !zero }
+        }
+        NoTree::Near(near) => EnclosureError::NearZero(Box::new(scene.outer(&near))),
         NoTree::TooMany => EnclosureError::TooFine(BOXES),
         NoTree::Interrupted(why) => EnclosureError::Interrupted(why),
     })?;
@@ -112,7 +115,8 @@ pub fn enclose(
     };
     let best = [!next(&lower, 1), !next(&upper, -1)];
     let denominator = denominator.tree;
-    let bounds = Bounds { values: values.to_vec(), quantity, places, denominator, lower, upper };
+    let (values, odds) = (values.to_vec(), scene.odds.clone());
+    let bounds = Bounds { values, quantity, places, odds, denominator, lower, upper };
     let argument = Argument::Bounds(bounds.clone());
     let certificate = Certificate { statement: statement.hash(), argument };
     let theorem = check_read(statement, &certificate).map_err(refused)?;
@@ -129,7 +133,8 @@ fn within_limits(
     let origin = || [BigRational::zero(), BigRational::zero()];
     let end = || End { bound: BigInt::ZERO, at: origin(), tree: vec![false] };
     let values = values.to_vec();
-    let bounds = Bounds { values, quantity, places, denominator: vec![false], lower: end(), upper: end() };
+    let (odds, denominator) = ([BigRational::one(), BigRational::one()], vec![false]);
+    let bounds = Bounds { values, quantity, places, odds, denominator, lower: end(), upper: end() };
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Bounds(bounds) };
     match check_read(statement, &certificate) {
         Err(error) if error.limit().is_some() => Err(refused(error)),

@@ -7,7 +7,6 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::boxes::Coefficients;
-use super::contact::candidates;
 use super::enclosure::EnclosureError;
 use super::extreme::{Extreme, largest};
 use super::scene::Scene;
@@ -91,10 +90,14 @@ impl Search<'_> {
         }
         let (bound, at) = left.ok_or(EnclosureError::TooFine(BOXES))?;
         let end = if self.side == Side::Lower { "least" } else { "greatest" };
-        Err(EnclosureError::Unsettled { end, bound: spell_decimal(&bound, self.places), near: Box::new(at) })
+        Err(EnclosureError::Unsettled {
+            end,
+            bound: spell_decimal(&bound, self.places),
+            near: Box::new(self.scene.outer(&at)),
+        })
     }
 
-    /// A point where the quantity is the decimal or outside it: one of these, or a simple one nearby.
+    /// A point (u, v) where the quantity is the decimal or outside it: one of these, given by u′ and v′, or a simple one nearby.
     fn reaching(
         &self,
         decimal: &Units,
@@ -102,8 +105,9 @@ impl Search<'_> {
     ) -> Result<Option<[BigRational; 2]>, EnclosureError> {
         let inside = if self.side == Side::Lower { Ordering::Greater } else { Ordering::Less };
         let near = near.into_iter().flatten();
-        for point in near.clone().cloned().chain(near.flat_map(candidates)) {
+        for point in near.clone().cloned().chain(near.flat_map(|near| self.scene.simple(near))) {
             self.control.check().map_err(EnclosureError::Interrupted)?;
+            let point = self.scene.outer(&point);
             if self.scene.compare_decimal(&point, decimal, self.places) != inside {
                 return Ok(Some(point));
             }

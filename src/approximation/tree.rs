@@ -137,14 +137,21 @@ fn of_rounded(value: &Integer, bits: u32) -> Magnitude {
 }
 
 /// The tree for a form that is positive on the square, however small it is somewhere.
-pub(super) fn positive(form: &ExactForm, at_most: usize, control: &Control<'_>) -> Result<Grown, NoTree> {
+///
+/// Where it seems to vanish, the points that `simple` gives are tried.
+pub(super) fn positive(
+    form: &ExactForm,
+    at_most: usize,
+    simple: &dyn Fn(&[BigRational; 2]) -> Vec<[BigRational; 2]>,
+    control: &Control<'_>,
+) -> Result<Grown, NoTree> {
     let sizes = form.coefficients.iter().filter_map(magnitude).map(|size| size.exponent);
     let below = u32::try_from(-sizes.min().unwrap_or(0)).unwrap_or(0);
     let mut nowhere = NoTree::TooMany;
     for doublings in 0..=DOUBLINGS {
         match tree(form, (BITS + below) << doublings, Shown::Positive, at_most, control) {
             Err(NoTree::Near(near)) => {
-                for point in candidates(&near) {
+                for point in simple(&near) {
                     control.check().map_err(NoTree::Interrupted)?;
                     match magnitude(&form.at(&point)) {
                         Some(Magnitude { negative: false, .. }) => {}
@@ -170,5 +177,6 @@ pub fn positive_tree(
     control: &Control<'_>,
 ) -> Result<Tree, NoTree> {
     let field = coefficients[0].field();
-    positive(&ExactForm::new(field, bidegree, coefficients), at_most, control).map(|grown| grown.tree)
+    let form = ExactForm::new(field, bidegree, coefficients);
+    positive(&form, at_most, &candidates, control).map(|grown| grown.tree)
 }

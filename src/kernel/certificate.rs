@@ -27,8 +27,8 @@ pub struct Certificate {
 impl Certificate {
     /// The text, spelled with the names of the statement's ring.
     pub fn write(&self, ring: &Ring) -> String {
-        let first =
-            vec!["prove-cap certificate 1".to_owned(), format!("statement sha256 {}", self.statement)];
+        let version = format!("prove-cap certificate {}", self.argument.version());
+        let first = vec![version, format!("statement sha256 {}", self.statement)];
         self.argument.write(ring, first)
     }
 
@@ -47,16 +47,23 @@ impl Certificate {
     ) -> Result<Certificate, CertificateError> {
         let text = check_text(bytes)?;
         let mut reader = Reader::new(text, ring, unknowns, work);
-        let header = "`prove-cap certificate 1`";
+        let header = "`prove-cap certificate 1` or `prove-cap certificate 2`";
         let line = reader.next(header)?;
-        if line != "prove-cap certificate 1" {
-            return Err(reader.unexpected(line, header));
-        }
+        reader.version = match line {
+            "prove-cap certificate 1" => 1,
+            "prove-cap certificate 2" => 2,
+            _ => return Err(reader.unexpected(line, header)),
+        };
+        let older = reader.unexpected(line, "`prove-cap certificate 1`");
         let expected = "`statement sha256 ` and 64 lower-case hexadecimal digits";
         let line = reader.next(expected)?;
         let hash = line.strip_prefix("statement sha256 ").filter(|hash| is_hash(hash));
         let statement = hash.ok_or_else(|| reader.unexpected(line, expected))?.to_owned();
         let line = reader.next(EXPECTED)?;
+        // These have what is new in version 2.
+        if reader.version == 2 && !["claim bounds", "claim unreachable"].contains(&line) {
+            return Err(older);
+        }
         let argument = line.strip_prefix("claim ").and_then(|keyword| Argument::read(keyword, &mut reader));
         let argument = argument.ok_or_else(|| reader.unexpected(line, EXPECTED))??;
         reader.finish()?;

@@ -34,7 +34,8 @@ fn judged(
     lower: End,
     upper: End,
 ) -> Result<([bool; 2], String), Rejection> {
-    let bounds = Bounds { values: vec![], quantity, places, denominator: vec![false], lower, upper };
+    let odds = [BigRational::from_integer(1.into()), BigRational::from_integer(1.into())];
+    let bounds = Bounds { values: vec![], quantity, places, odds, denominator: vec![false], lower, upper };
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Bounds(bounds) };
     match check_read(statement, &certificate) {
         Ok(theorem) => match theorem.claim() {
@@ -163,4 +164,36 @@ fn next_to_the_best_is_not_the_best() {
         let how = format!("Both bounds are the best with {places} decimals, or next to it: ");
         assert!(sentence.contains(between) && sentence.contains(&how), "{sentence}");
     }
+}
+
+/// r = 1 + 2v once more, in parameters with other odds: v = λv′/(1 − v′ + λv′).
+#[test]
+fn boxes_may_be_those_of_other_parameters() {
+    let statement = segment(SPHERE);
+    let judged = |odds: [(i64, i64); 2], upper: (i64, i64)| {
+        let odds = odds.map(|(p, q)| BigRational::new(p.into(), q.into()));
+        let (values, denominator) = (vec![], vec![false]);
+        let (lower, upper) = (end(10, (1, 21)), end(30, upper));
+        let bounds =
+            Bounds { values, quantity: Quantity::Radius, places: 1, odds, denominator, lower, upper };
+        let certificate = Certificate { statement: statement.hash(), argument: Argument::Bounds(bounds) };
+        (certificate.write(&statement.ring()), check_read(&statement, &certificate))
+    };
+    for odds in [[(1, 1), (1, 1024)], [(7, 3), (5, 1)], [(1_000_000, 1), (1, 1)]] {
+        // The points are those of u and v whatever the boxes are: 2.9 at v = 19/20.
+        for (point, best) in [((20, 21), [true, true]), ((19, 20), [true, false])] {
+            let (text, result) = judged(odds, point);
+            assert!(text.starts_with("prove-cap certificate 2\n"), "{text}");
+            let theorem = result.unwrap();
+            let Claim::Bounds(bounded) = theorem.claim() else { panic!("{theorem}") };
+            assert_eq!(bounded.best, best, "{odds:?}");
+        }
+        let (_, refused) = judged(odds, (18, 19));
+        assert_eq!(refused.unwrap_err(), CheckError::Rejected(not_reached("upper")), "{odds:?}");
+    }
+    let (text, result) = judged([(1, 1), (1, 1)], (20, 21));
+    assert!(
+        text.starts_with("prove-cap certificate 1\n") && !text.contains("odds") && result.is_ok(),
+        "{text}"
+    );
 }

@@ -41,17 +41,23 @@ def at_point(s, coefficients, degrees, u, v):
 
 def check_bounds(c, s):
     check_quantity(c, s, (c.lower[0], c.upper[0]))
-    f, power, weight = patch_coefficients(s, points_at_values(s, c.values))
+    # the boxes are those of u', v' with u/(1-u) = lambda u'/(1-u'): row i of the net times lambda^i, column j times mu^j
+    points = [[[x.scaled((c.odds[0] ** i * c.odds[1] ** j).numerator, (c.odds[0] ** i * c.odds[1] ** j).denominator)
+                for x in point] for j, point in enumerate(row)] for i, row in enumerate(points_at_values(s, c.values))]
+    f, power, weight = patch_coefficients(s, points)
     degrees = (s.e * s.m, s.e * s.n)
     check_tree(c.denominator, grid_of(s, weight, (s.m, s.n)), True, "denominator")
     step = Fraction(1, 10 ** c.places)
     for word, sign, (bound, u, v, tree) in (("lower", 1, c.lower), ("upper", -1, c.upper)):
         side = difference(s, f, power, ratio_bound(c.quantity, bound), sign)
-        check_tree(tree, grid_of(s, side, degrees), False, word)
+        # no radius is negative: the bound 0 needs no boxes
+        if not (word == "lower" and c.quantity == "radius" and bound == 0 and tree == "."):
+            check_tree(tree, grid_of(s, side, degrees), False, word)
         following = bound + sign * step
         if c.quantity == "radius" and following < 0:
             # radius >= a negative number holds everywhere
             continue
         side = difference(s, f, power, ratio_bound(c.quantity, following), sign)
+        u, v = [x / (x + odds * (1 - x)) for x, odds in zip((u, v), c.odds)]
         rule(at_point(s, side, degrees, u, v).sign() <= 0, "%s: the next decimal is a bound at the point too" % word)
     return "the bounds hold and are sharp"

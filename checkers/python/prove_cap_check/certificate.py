@@ -52,13 +52,16 @@ class Lines:
 def read_certificate(data, statement):
     lines = Lines(data)
     c = Certificate()
-    lines.exactly("prove-cap certificate 1")
+    version = lines.take("prove-cap certificate ")
+    need(version in ("1", "2"), "a version of the format that this checker does not know")
+    c.version = int(version)
     c.hash = lines.take("statement sha256 ")
     need(HASH.fullmatch(c.hash), "not a hash")
     c.claim = lines.take("claim ")
     readers = {"impossible": read_steps, "exact": read_exact, "bounds": read_bounds, "cover": read_cover,
                "unreachable": read_unreachable}
     need(c.claim in readers, "unknown claim %.40r" % c.claim)
+    need(c.version == 1 or c.claim in ("bounds", "unreachable"), "nothing of version 2 is in this claim")
     try:
         readers[c.claim](c, lines, statement)
     except Malformed as error:
@@ -147,6 +150,12 @@ def read_bounds(c, lines, statement):
     """lower, upper: (decimal, u, v, tree)."""
     read_values(c, lines, statement)
     read_quantity(c, lines)
+    c.odds = (Fraction(1), Fraction(1))
+    if c.version == 2:
+        odds = lines.take("odds ").split(" ")
+        need(len(odds) == 2, "not two odds")
+        c.odds = tuple(Fraction(*rational_pair(text)) for text in odds)
+        need(min(c.odds) > 0 and c.odds != (1, 1), "odds that are not positive, or both 1")
     c.denominator = read_tree(lines.take("denominator "))
     c.lower = read_end_of_bounds(c, lines, "lower")
     c.upper = read_end_of_bounds(c, lines, "upper")
@@ -216,6 +225,7 @@ def read_unreachable(c, lines, statement):
         index = statement.unknowns.index(name)
         need(not c.forms or c.forms[-1][0] < index, "not a later unknown")
         c.forms.append((index, read_form(spelled, index, statement)))
+    need(bool(c.forms) == (c.version == 2), "`put` is what version 2 is for")
     c.range = natural(lines.take("range "))
     need(c.range > 0, "the range is not positive")
     c.samples = []

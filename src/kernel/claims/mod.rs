@@ -168,6 +168,17 @@ registry! {
         Cover(Covered);
 }
 
+impl Argument {
+    /// The version of the format that has everything the argument uses.
+    pub(crate) fn version(&self) -> u32 {
+        match self {
+            Argument::Bounds(bounds) => bounds.version(),
+            Argument::Unreachable(argument) => argument.version(),
+            _ => 1,
+        }
+    }
+}
+
 impl From<exact::Zero> for Claim {
     fn from(zero: exact::Zero) -> Self {
         match zero {

@@ -35,6 +35,8 @@ pub(crate) struct Reader<'a, 'w> {
     /// How many of the ring's variables are unknowns of the statement; the others are Rabinowitsch variables.
     pub(crate) unknowns: usize,
     pub(crate) text: &'a str,
+    /// Which version the first line names.
+    pub(crate) version: u32,
     lines: Split<'a, char>,
     line: usize,
     work: &'w mut Work,
@@ -42,7 +44,7 @@ pub(crate) struct Reader<'a, 'w> {
 
 impl<'a, 'w> Reader<'a, 'w> {
     pub(crate) fn new(text: &'a str, ring: &'a Ring, unknowns: usize, work: &'w mut Work) -> Self {
-        Reader { ring, unknowns, text, lines: text.split('\n'), line: 0, work }
+        Reader { ring, unknowns, text, version: 1, lines: text.split('\n'), line: 0, work }
     }
 
     pub(crate) fn fail(&self, column: usize, fault: Fault) -> CertificateError {

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
+use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::{Bounded, Bounds, End, Rejection};
@@ -12,9 +13,9 @@ use crate::claims::subdivision::{
     threshold,
 };
 use crate::equations::expand;
-use crate::exact::Work;
+use crate::exact::{Limit, Polynomial, Radicands, Work};
 use crate::failure::{At, Failure, Place};
-use crate::statement::{Patch, Statement};
+use crate::statement::{HomogeneousPoint, Patch, Statement};
 
 /// Follows the subdivisions, and tries the points.
 pub(in crate::claims) fn verify(
@@ -25,8 +26,12 @@ pub(in crate::claims) fn verify(
     let patch = subject(statement, bounds.quantity).map_err(Rejection::from)?;
     let at = Place::Values;
     let net = evaluated(patch, &bounds.values, statement, work).at(at)?;
-    let patch = Patch { net, ..patch.clone() };
     let field = statement.field();
+    let net = match bounds.plain() {
+        true => net,
+        false => reparametrised(&net, &bounds.odds, field, work).at(at)?,
+    };
+    let patch = Patch { net, ..patch.clone() };
     let expanded = expand(field, &patch, work).at(at)?;
     let (m, n) = patch.bidegree;
     let degree = patch.surface.degree();
@@ -51,6 +56,30 @@ pub(in crate::claims) fn verify(
         best: [lower_is_best, upper_is_best],
         boxes: boxes.saturating_add(lower).saturating_add(upper),
     })
+}
+
+/// The net of the same patch in other parameters: with odds t = λt′ and s = μs′ the point at (i, j) is multiplied by λⁱμʲ.
+fn reparametrised(
+    net: &[Vec<HomogeneousPoint>],
+    [of_u, of_v]: &[BigRational; 2],
+    field: &Radicands,
+    work: &mut Work,
+) -> Result<Vec<Vec<HomogeneousPoint>>, Limit> {
+    let [of_u, of_v] = [of_u, of_v].map(|odds| Polynomial::rational(odds.clone()));
+    let mut of_row = Polynomial::integer(1);
+    let mut rows = Vec::with_capacity(net.len());
+    for row in net {
+        let mut factor = of_row.clone();
+        let mut points = Vec::with_capacity(row.len());
+        for [x, y, z, w] in row {
+            let mut times = |entry: &Polynomial| entry.multiply(&factor, field, work);
+            points.push([times(x)?, times(y)?, times(z)?, times(w)?]);
+            factor = factor.multiply(&of_v, field, work)?;
+        }
+        rows.push(points);
+        of_row = of_row.multiply(&of_u, field, work)?;
+    }
+    Ok(rows)
 }
 
 /// F, W and Wᵉ along the patch at the stated values.
@@ -105,7 +134,7 @@ impl Scene<'_> {
         let value = on_ratio(quantity, &decimal_value(&next, places));
         let form = self.along.side(opposite, value, work).at(Place::Values)?;
         let form = self.square.form(&form, self.degrees, work).at(Place::Values)?;
-        match self.square.at(form, &end.at, work).at(Place::Values)? {
+        match self.square.at(form, &end.at, &self.bounds.odds, work).at(Place::Values)? {
             Ordering::Greater => Ok(true),
             Ordering::Equal => Ok(false),
             Ordering::Less => Err(Rejection::NotReached { end: name }.into()),

@@ -6,6 +6,7 @@ mod text;
 use std::fmt;
 
 use num_rational::BigRational;
+use num_traits::One;
 
 use super::exact::spelled;
 use super::subdivision::{self, Quantity, Tree, Units, spell_decimal};
@@ -37,6 +38,9 @@ pub struct Bounds {
     pub quantity: Quantity,
     /// Decimal places of the bounds.
     pub places: u32,
+    /// Boxes are those of the square of u′ and v′, where the odds u/(1 − u) are this multiple of u′/(1 − u′), those of v likewise;
+    /// positive.
+    pub odds: [BigRational; 2],
     /// Boxes on each of which the Bernstein coefficients of W are positive.
     pub denominator: Tree,
     /// The lower end.
@@ -73,6 +77,18 @@ pub enum Rejection {
     Subdivision(subdivision::Rejection),
     /// A bound that is not the best decimal of its length, as far as the stated point shows.
     NotReached { end: &'static str },
+}
+
+impl Bounds {
+    /// Whether the boxes are those of u and v themselves.
+    pub(super) fn plain(&self) -> bool {
+        self.odds.iter().all(BigRational::is_one)
+    }
+
+    /// The version of the format that has everything that is used.
+    pub(super) fn version(&self) -> u32 {
+        if self.plain() { 1 } else { 2 }
+    }
 }
 
 impl Bounded {

@@ -1,6 +1,7 @@
 //! The text of claim `bounds`: FORMAT.md, "Certificates by subdivision".
 
-use num_traits::Signed;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
 
 use super::{Bounds, End};
 use crate::claims::exact::value_lines;
@@ -13,6 +14,10 @@ pub(in crate::claims) fn write(bounds: &Bounds, ring: &Ring, lines: Vec<String>)
     let mut lines = lines;
     lines.extend(value_lines(&bounds.values, ring));
     lines.push(quantity(bounds.quantity, bounds.places));
+    if !bounds.plain() {
+        let [of_u, of_v] = &bounds.odds;
+        lines.push(format!("odds {of_u} {of_v}"));
+    }
     lines.push(format!("denominator {}", spelled(&bounds.denominator)));
     for (name, End { bound, at: [u, v], tree }) in [("lower", &bounds.lower), ("upper", &bounds.upper)] {
         let bound = spell_decimal(bound, bounds.places);
@@ -25,12 +30,26 @@ pub(in crate::claims) fn write(bounds: &Bounds, ring: &Ring, lines: Vec<String>)
 pub(in crate::claims) fn read(reader: &mut Reader<'_, '_>) -> Result<Bounds, CertificateError> {
     let values = reader.values()?;
     let (quantity, places) = reader.quantity()?;
+    let odds = if reader.version == 1 { [(); 2].map(|()| BigRational::one()) } else { odds(reader)? };
     let denominator = reader.named_tree("denominator ", "`denominator ` and a tree of `h` and `.`")?;
     let lower = end(reader, "lower ", places)?;
     let upper = end(reader, "upper ", places)?;
-    let bounds = Bounds { values, quantity, places, denominator, lower, upper };
+    let bounds = Bounds { values, quantity, places, odds, denominator, lower, upper };
     reader.sealed(boxes(&bounds))?;
     Ok(bounds)
+}
+
+/// `odds 1/1024 1`.
+fn odds(reader: &mut Reader<'_, '_>) -> Result<[BigRational; 2], CertificateError> {
+    let expected = "`odds ` and two positive rationals, not both 1";
+    let line = reader.next(expected)?;
+    let pair = line.strip_prefix("odds ").and_then(|rest| rest.split_once(' '));
+    let (u, v) = pair.ok_or_else(|| reader.unexpected(line, expected))?;
+    let odds = [reader.rational(line, u)?, reader.rational(line, v)?];
+    match odds.iter().all(Signed::is_positive) && !odds.iter().all(BigRational::is_one) {
+        true => Ok(odds),
+        false => Err(reader.unexpected(line, expected)),
+    }
 }
 
 /// The boxes of all trees.

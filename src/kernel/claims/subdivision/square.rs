@@ -41,16 +41,20 @@ impl<'a> UnitSquare<'a> {
         Form::new(self.field, degrees.map(size).to_vec(), &terms, work)
     }
 
-    /// The sign at a point of the square.
+    /// The sign at a point (u, v) of the square, of a form in the parameters whose odds are u/(1 − u) and v/(1 − v) over these.
     pub(in crate::claims) fn at(
         &self,
         form: Form,
         point: &[BigRational; 2],
+        odds: &[BigRational; 2],
         work: &mut Work,
     ) -> Result<Ordering, Stop> {
         let mut form = form;
-        for (axis, x) in (0usize..).zip(point) {
-            let interval = Interval::point(x.numer().clone(), x.denom() - x.numer());
+        for ((axis, x), odds) in (0usize..).zip(point).zip(odds) {
+            let rest = x.denom() - x.numer();
+            work.charge_product(x.numer(), odds.denom())?;
+            work.charge_product(&rest, odds.numer())?;
+            let interval = Interval::point(x.numer() * odds.denom(), rest * odds.numer());
             form = form.on(axis, &interval, work)?;
         }
         form.first(&self.signs, work)

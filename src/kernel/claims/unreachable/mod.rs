@@ -62,6 +62,11 @@ pub struct Unreachable {
 }
 
 impl Unreachable {
+    /// The version of the format that has everything that is used.
+    pub(super) fn version(&self) -> u32 {
+        if self.forms.is_empty() { 1 } else { 2 }
+    }
+
     /// How many charts cover the space of so many unknowns.
     pub fn chart_count(unknowns: usize) -> usize {
         unknowns.saturating_mul(2).saturating_add(1)

@@ -50,7 +50,9 @@ pub(in crate::claims) fn read(reader: &mut Reader<'_, '_>) -> Result<Unreachable
     let pair = line.strip_prefix("between ").and_then(|rest| rest.split_once(' '));
     let (low, high) = pair.ok_or_else(|| reader.unexpected(line, expected))?;
     let (lower, upper) = (reader.decimal(low, places)?, reader.decimal(high, places)?);
-    let expected = "`product`, `put` or `range`";
+    // In version 2 something is put for an unknown, in version 1 nothing is.
+    let newer = reader.version > 1;
+    let expected = if newer { "`product` or `put`" } else { "`product` or `range`" };
     let mut line = reader.next(expected)?;
     let mut products = Vec::new();
     while let Some(text) = line.strip_prefix("product ") {
@@ -60,7 +62,10 @@ pub(in crate::claims) fn read(reader: &mut Reader<'_, '_>) -> Result<Unreachable
         line = reader.next(expected)?;
     }
     let mut forms: Vec<(u16, Polynomial)> = Vec::new();
-    while let Some(text) = line.strip_prefix("put ") {
+    if newer && !line.starts_with("put ") {
+        return Err(reader.unexpected(line, expected));
+    }
+    while let Some(text) = line.strip_prefix("put ").filter(|_| newer) {
         let form = form(reader, line, text, forms.last().map(|(before, _)| *before))?;
         forms.push(form);
         line = reader.next("`put` or `range`")?;
