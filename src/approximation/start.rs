@@ -5,7 +5,7 @@ use std::cell::Cell;
 use itertools::iproduct;
 use slsqp::{Func, StopTols, minimize};
 
-use super::levenberg::{REACH, bottom};
+use super::levenberg::{Limits, REACH, bottom};
 use super::model::Model;
 use crate::elimination::{Control, Interrupted, Progress};
 
@@ -15,6 +15,10 @@ pub(super) const STARTS: usize = 48;
 const COARSE: usize = 8;
 /// The smallest denominator that is taken, in the net's own unit of weights.
 const WEIGHT: f64 = 1e-3;
+/// Enough to compare starts.
+const QUICK: Limits = Limits { steps: 60, gain: 1e-4 };
+/// To the last digit.
+const LAST: Limits = Limits { steps: 1000, gain: 1e-14 };
 /// How far random starts are from the fairest net, in units of each unknown.
 const AROUND: f64 = 1.5;
 
@@ -80,7 +84,7 @@ fn descent(model: &Model, from: &[f64], control: &Control<'_>) -> Result<Option<
     let near = sequential(model, from, (COARSE, false), &[], control);
     let near = near.map_err(|why| Stopped { why, best: None })?;
     let Some(from) = [&near[..], from].into_iter().find(|from| positive(from)) else { return Ok(None) };
-    let found = bottom(model, from, COARSE, 1e-4, control)?;
+    let found = bottom(model, from, COARSE, QUICK, control)?;
     let sum = graded(model, &found);
     Ok((positive(&found) && sum.is_finite()).then_some((sum, found)))
 }
@@ -105,7 +109,9 @@ pub(super) fn least_squares(
     control: &Control<'_>,
 ) -> Result<Vec<f64>, Stopped> {
     if pass.is_empty() {
-        return bottom(model, from, intervals, 1e-14, control);
+        // Most of the way on a coarse grid, where it costs little.
+        let near = bottom(model, from, COARSE.min(intervals), LAST, control)?;
+        return bottom(model, &near, intervals, LAST, control);
     }
     let mut values = from.to_vec();
     // The method stops early where the sum is small; started again it goes on.

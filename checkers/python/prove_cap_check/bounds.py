@@ -42,8 +42,10 @@ def at_point(s, coefficients, degrees, u, v):
 def check_bounds(c, s):
     check_quantity(c, s, (c.lower[0], c.upper[0]))
     # the boxes are those of u', v' with u/(1-u) = lambda u'/(1-u'): row i of the net times lambda^i, column j times mu^j
-    points = [[[x.scaled((c.odds[0] ** i * c.odds[1] ** j).numerator, (c.odds[0] ** i * c.odds[1] ** j).denominator)
-                for x in point] for j, point in enumerate(row)] for i, row in enumerate(points_at_values(s, c.values))]
+    points = {}
+    for (i, j), point in points_at_values(s, c.values).items():
+        factor = c.odds[0] ** i * c.odds[1] ** j
+        points[i, j] = [x.scaled(factor.numerator, factor.denominator) for x in point]
     f, power, weight = patch_coefficients(s, points)
     degrees = (s.e * s.m, s.e * s.n)
     check_tree(c.denominator, grid_of(s, weight, (s.m, s.n)), True, "denominator")
