@@ -3,7 +3,8 @@
 //! `cargo bench --bench engine`, with `--features gmp` for the other backend.
 
 use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, PrimeField, splitting_primes};
-use prove_cap::elimination::{Control, Echelon, SparseRow, solve};
+use prove_cap::control::Control;
+use prove_cap::elimination::{Echelon, SparseRow, solve};
 
 fn main() {
     divan::main();

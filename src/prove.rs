@@ -3,14 +3,14 @@
 use crate::algebra::{
     FieldElement, MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact,
 };
-use crate::bezier::{BernsteinForm, surface_condition};
+use crate::bezier::{BernsteinForm, surface_condition_within};
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::checker::{
-    CheckError, Claim, Equations, ExactNet, ExactRejection, Rejection, Theorem, check_read,
+    CheckError, Claim, Equations, ExactNet, ExactRejection, Rejection, Theorem, check_read_within,
 };
+use crate::control::{Control, Interrupted};
 use crate::elimination::{
-    Control, Derivation, Interrupted, NamedStep, Outcome, Progress, Source, System, Undecided, eliminate,
-    points_in_field,
+    Derivation, NamedStep, Outcome, Progress, Source, System, Undecided, eliminate, points_in_field,
 };
 use crate::exact::{self, Limit, Stop, Work};
 use crate::statement::{Statement, Subject};
@@ -61,7 +61,14 @@ pub enum ProveError {
 /// Why what was found is not an answer: it is too long for the checker, or an error.
 enum NoAnswer {
     Limit(Limit),
+    Interrupted(Interrupted),
     Error(ProveError),
+}
+
+impl From<Interrupted> for NoAnswer {
+    fn from(why: Interrupted) -> Self {
+        NoAnswer::Interrupted(why)
+    }
 }
 
 impl From<Limit> for NoAnswer {
@@ -86,17 +93,31 @@ pub fn field_of(statement: &Statement) -> MultiquadraticField {
 
 /// The form whose coefficients must vanish for the patch to lie on the surface; `None` for a bare system.
 pub fn condition_of(statement: &Statement) -> Option<BernsteinForm> {
+    condition_within(statement, &Control::default()).expect("nobody stops it")
+}
+
+/// The same, where it may be stopped.
+///
+/// # Errors
+/// [`Control::check`]
+pub fn condition_within(
+    statement: &Statement,
+    control: &Control,
+) -> Result<Option<BernsteinForm>, Interrupted> {
     match statement.subject() {
-        Subject::Patch(patch) => Some(surface_condition(field_of(statement), patch)),
-        Subject::System(_) => None,
+        Subject::Patch(patch) => surface_condition_within(field_of(statement), patch, control).map(Some),
+        Subject::System(_) => Ok(None),
     }
 }
 
 /// The equations of a statement, as the prover expands them.
-pub fn system_of(statement: &Statement) -> System {
+///
+/// # Errors
+/// [`Control::check`]
+pub fn system_of(statement: &Statement, control: &Control) -> Result<System, Interrupted> {
     let field = field_of(statement);
     let mut equations: Vec<(Premise, Polynomial)> = match statement.subject() {
-        Subject::Patch(patch) => surface_condition(field, patch)
+        Subject::Patch(patch) => surface_condition_within(field, patch, control)?
             .coefficients()
             .map(|(r, s, coefficient)| (Premise::Coefficient(r, s), coefficient.clone()))
             .collect(),
@@ -113,52 +134,54 @@ pub fn system_of(statement: &Statement) -> System {
         let minus_one = Polynomial::constant(field.integer(-1));
         equations.push((Premise::Nonzero(number as u32 + 1), product.add(&minus_one)));
     }
-    System::new(field, unknowns + statement.nonzero().len(), equations)
+    Ok(System::new(field, unknowns + statement.nonzero().len(), equations))
 }
 
 /// Tries to decide a statement.
 ///
 /// # Errors
 /// [`ProveError`] where the checker disagrees. What exceeds its limits is undecided.
-pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
+pub fn prove(statement: &Statement, control: &Control) -> Result<Attempt, ProveError> {
     // The prover has no limits of its own; what the checker cannot derive is not worth proving.
-    let limited = |limit, found| Ok(Attempt::Undecided(Reason::Limited { limit, found }));
-    match Equations::of(statement, &mut Work::full()) {
+    let limited = |limit, found| match control.check() {
+        Ok(()) => Ok(Attempt::Undecided(Reason::Limited { limit, found })),
+        // The limit may be that the checker was stopped.
+        Err(why) => Ok(interrupted(why)),
+    };
+    match Equations::of(statement, &mut control.work()) {
         Ok(_) => {}
         Err(Stop::Limit(limit)) => return limited(limit, false),
         Err(defect) => return Err(ProveError::Defect(defect)),
     }
-    if let Err(why) = control.check() {
-        return Ok(interrupted(why, control));
-    }
     search(statement, control).or_else(|why| match why {
         NoAnswer::Limit(limit) => limited(limit, true),
+        NoAnswer::Interrupted(why) => Ok(interrupted(why)),
         NoAnswer::Error(error) => Err(error),
     })
 }
 
-fn interrupted(why: Interrupted, control: &Control<'_>) -> Attempt {
-    let reached = control.reached.borrow().clone();
-    Attempt::Undecided(Reason::Elimination(Undecided::Interrupted { why, reached }))
+fn interrupted(why: Interrupted) -> Attempt {
+    Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why)))
 }
 
-fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, NoAnswer> {
-    let system = system_of(statement);
+fn search(statement: &Statement, control: &Control) -> Result<Attempt, NoAnswer> {
+    control.check()?;
+    let system = system_of(statement, control)?;
     let (derivation, outcome) = eliminate(&system, control);
     match outcome {
         Outcome::Unit(unit) => {
             control.observe(&Progress::Shortening);
-            let argument = Argument::Impossible(steps(&derivation, unit)?);
-            Ok(checked(statement, argument)?)
+            let argument = Argument::Impossible(steps(&derivation, unit, control)?);
+            Ok(checked(statement, argument, control)?)
         }
-        Outcome::Point(point) => Ok(best_point(statement, vec![point])?.unwrap_or(NO_DENOMINATOR)),
+        Outcome::Point(point) => Ok(best_point(statement, vec![point], control)?.unwrap_or(NO_DENOMINATOR)),
         Outcome::Open(Undecided::Consistent(closure)) => {
             let points = match points_in_field(&system, &closure, control) {
                 Ok(points) => points,
-                Err(why) => return Ok(interrupted(why, control)),
+                Err(why) => return Ok(interrupted(why)),
             };
             let undecided = Attempt::Undecided(Reason::Elimination(Undecided::Consistent(closure)));
-            Ok(best_point(statement, points)?.unwrap_or(undecided))
+            Ok(best_point(statement, points, control)?.unwrap_or(undecided))
         }
         Outcome::Open(undecided) => Ok(Attempt::Undecided(Reason::Elimination(undecided))),
     }
@@ -167,12 +190,16 @@ fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, NoAns
 const NO_DENOMINATOR: Attempt = Attempt::Undecided(Reason::NoDenominator);
 
 /// Of several solutions the first with positive weights, or else the first; `None` if none makes a patch.
-fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<Option<Attempt>, NoAnswer> {
+fn best_point(
+    statement: &Statement,
+    points: Vec<Vec<FieldElement>>,
+    control: &Control,
+) -> Result<Option<Attempt>, NoAnswer> {
     let (mut best, mut limit) = (None, None);
     for point in points {
         let constants = point.into_iter().take(statement.unknowns().len()).map(Polynomial::constant);
         let values = constants.map(|value| polynomial_to_exact(&value)).collect::<Result<_, _>>()?;
-        match checked(statement, Argument::Exact(values)) {
+        match checked(statement, Argument::Exact(values), control) {
             Ok(attempt) => {
                 let positive = matches!(&attempt, Attempt::Proved { theorem, .. }
                     if !matches!(theorem.claim(), Claim::Exact(ExactNet { weights_positive: false, .. })));
@@ -185,7 +212,7 @@ fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<O
             Err(error) => match NoAnswer::from(error) {
                 // Another solution may be shorter.
                 NoAnswer::Limit(reached) => limit = limit.or(Some(reached)),
-                error @ NoAnswer::Error(_) => return Err(error),
+                error => return Err(error),
             },
         }
     }
@@ -196,16 +223,16 @@ fn best_point(statement: &Statement, points: Vec<Vec<FieldElement>>) -> Result<O
 }
 
 /// The certificate with this argument, and what the checker says of it.
-fn checked(statement: &Statement, argument: Argument) -> Result<Attempt, CheckError> {
+fn checked(statement: &Statement, argument: Argument, control: &Control) -> Result<Attempt, CheckError> {
     let certificate = Certificate { statement: statement.hash(), argument };
-    let theorem = check_read(statement, &certificate);
+    let theorem = check_read_within(statement, &certificate, &mut control.work());
     theorem.map(|theorem| Attempt::Proved { certificate, theorem: Box::new(theorem) })
 }
 
-fn steps(derivation: &Derivation<'_>, unit: Source) -> Result<Vec<Step>, Limit> {
-    let Some(proof) = derivation.proof_of(unit) else {
+fn steps(derivation: &Derivation<'_>, unit: Source, control: &Control) -> Result<Vec<Step>, NoAnswer> {
+    let Some(proof) = derivation.proof_of(unit, control)? else {
         // 1 is itself an equation of the statement. One step must conclude it, from that equation alone.
-        return given_unit(derivation);
+        return Ok(given_unit(derivation)?);
     };
     let mut steps = Vec::with_capacity(proof.len());
     for NamedStep { combination, conclusion } in proof {

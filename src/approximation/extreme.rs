@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::boxes::{Coefficients, Part};
 use super::tree::NoTree;
 use crate::algebra::Integer;
-use crate::elimination::Control;
+use crate::control::Control;
 
 /// A point (u, v) of the square, and the quotient there in fixed point.
 #[derive(Debug, Clone)]
@@ -25,13 +25,13 @@ pub(super) fn largest(
     bits: u32,
     slack: &Integer,
     at_most: usize,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Extreme, NoTree> {
     let mut level = vec![Part::whole([numerator, denominator])];
     let mut best: Option<Extreme> = None;
     let mut seen = 0;
     while !level.is_empty() {
-        control.check().map_err(NoTree::Interrupted)?;
+        control.check()?;
         for part in &level {
             let [above, below] = &part.forms;
             for (number, &place) in above.corners().iter().enumerate() {

@@ -5,7 +5,7 @@
 use super::linear::Orthogonal;
 use super::model::Model;
 use super::start::Stopped;
-use crate::elimination::{Control, Interrupted};
+use crate::control::{Control, Interrupted};
 
 /// Steps that are tried at most.
 const STEPS: usize = 200;
@@ -25,7 +25,7 @@ pub(super) fn bottom(
     from: &[f64],
     intervals: usize,
     least_gain: f64,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<f64>, Stopped> {
     let mut values = from.to_vec();
     let stopped = |values: &[f64]| {
@@ -82,7 +82,7 @@ fn equations(
     model: &Model,
     values: &[f64],
     intervals: usize,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Equations, Interrupted> {
     let fitted = model.at(values);
     let at = |i: usize| i as f64 / intervals as f64;

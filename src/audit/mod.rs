@@ -22,7 +22,7 @@ pub use targets::{Target, Targets};
 
 use compare::{Printed, compare};
 
-use crate::elimination::{Control, Interrupted};
+use crate::control::{Control, Interrupted};
 use crate::exact::{Limit, Stop, Work};
 use crate::listing::{Listing, ListingError, ListingFault, Meaning, Scope, Symbol};
 use crate::statement::{Place, Statement};
@@ -61,13 +61,7 @@ pub enum AuditError {
     TooLarge(Stop),
     /// Stopped by the user or by the clock.
     #[error("stopped: {0}")]
-    Interrupted(Interrupted),
-}
-
-impl From<Interrupted> for AuditError {
-    fn from(why: Interrupted) -> Self {
-        AuditError::Interrupted(why)
-    }
+    Interrupted(#[from] Interrupted),
 }
 
 impl Audit {
@@ -81,7 +75,7 @@ impl Audit {
     ///
     /// # Errors
     /// [`AuditError`] where a name or a label means nothing in the statement.
-    pub fn of(listing: &Listing, statement: &Statement, control: &Control<'_>) -> Result<Self, AuditError> {
+    pub fn of(listing: &Listing, statement: &Statement, control: &Control) -> Result<Self, AuditError> {
         crate::checker::Equations::of(statement, &mut Work::full()).map_err(AuditError::TooLarge)?;
         control.check()?;
         let targets = Targets::of(statement, &listing.labels, listing.basis)?;

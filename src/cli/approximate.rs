@@ -20,7 +20,7 @@ use crate::approximation::{
     error_of, exclude,
 };
 use crate::certificate::Quantity;
-use crate::elimination::{Control, Interrupted};
+use crate::control::{Control, Interrupted};
 use crate::report::Files;
 use crate::report::bounds::{
     Gap, barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, error_value, symbol,
@@ -166,7 +166,7 @@ fn stopped(
             "verdict": "UNDECIDED",
             "name": name,
             "reason": why.to_string(),
-            "stopped": stopped_by(why),
+            "stopped": stopped_by(why.why),
             "best_found": best.map(|best| best_so_far_data(statement, best)),
         }))?,
         _ => {
@@ -197,11 +197,7 @@ impl ApproximateOptions {
 }
 
 /// Bounds a millionth tighter than what was found, which no values reach.
-fn barrier(
-    source: &Source,
-    found: &Approximation,
-    control: &Control<'_>,
-) -> Result<Barrier, UnreachableError> {
+fn barrier(source: &Source, found: &Approximation, control: &Control) -> Result<Barrier, UnreachableError> {
     let error = found.extremes.iter().map(|place| place.value.abs()).fold(0.0, f64::max);
     let places = (-error.log10()).ceil().max(0.0) as u32 + DIGITS;
     let unit = BigInt::from(10).pow(places);
@@ -317,7 +313,7 @@ impl Answer<'_> {
         if let Some(why) = &self.open {
             data["open"] = why.to_string().into();
             if let UnreachableError::Interrupted(why) = why {
-                data["stopped"] = stopped_by(*why).into();
+                data["stopped"] = stopped_by(why.why).into();
             }
         }
         data

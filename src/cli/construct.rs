@@ -10,7 +10,7 @@ use super::files::write_pair;
 use super::outcome::{Failure, Outcome, Status};
 use super::polygon::{PolygonOptions, Shape, number_of};
 use crate::construction::{Construction, Refusal, construct, tile};
-use crate::elimination::Control;
+use crate::control::Control;
 use crate::exact::Radicands;
 use crate::report::Files;
 use crate::report::construction::{
@@ -72,8 +72,7 @@ fn tiling(
     format: Format,
 ) -> Result<Outcome, Failure> {
     let named = shape.named.expect("--corners excludes --tiling");
-    let tiled = match under_control(&options.limits, |control: &Control<'_>| tile(named, bidegree, control))?
-    {
+    let tiled = match under_control(&options.limits, |control: &Control| tile(named, bidegree, control))? {
         Ok(tiled) => tiled,
         Err(refusal) => return refused(shape, bidegree, refusal, format),
     };

@@ -6,8 +6,8 @@ use crate::algebra::{FieldElement, Integer, Polynomial};
 use crate::approximation::{NoTree, positive_tree};
 use crate::bezier::BernsteinForm;
 use crate::certificate::{Argument, Certificate, Cover, EdgeTree, Tree};
-use crate::checker::{CheckError, Theorem, check_read};
-use crate::elimination::{Control, Interrupted};
+use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::control::{Control, Interrupted};
 use crate::exact::Limit;
 use crate::geometry::{Point, Vector, dot};
 use crate::statement::Statement;
@@ -39,8 +39,8 @@ pub enum CoverError {
     #[error("the checker, which judges every certificate, has limits: {0}")]
     Limit(Limit),
     /// Interrupted.
-    #[error("{0}")]
-    Interrupted(Interrupted),
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
     /// The checker refused.
     #[error("{0}")]
     Refused(CheckError),
@@ -53,7 +53,7 @@ pub enum CoverError {
 pub fn cover(
     statement: &Statement,
     net: &[Vec<Point>],
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<(Certificate, Theorem), CoverError> {
     let (m, n) = (net.len() - 1, net[0].len() - 1);
     let weights: Vec<FieldElement> = net.iter().flatten().map(|[.., weight]| weight.clone()).collect();
@@ -91,10 +91,10 @@ pub fn cover(
     let regular = positive("the Jacobian determinant", bidegree, values, control)?;
     let argument = Argument::Cover(Cover { values: vec![], denominator, edges, inward, regular });
     let certificate = Certificate { statement: statement.hash(), argument };
-    match check_read(statement, &certificate) {
+    match check_read_within(statement, &certificate, &mut control.work()) {
         Ok(theorem) => Ok((certificate, theorem)),
         Err(error) => Err(match error.limit() {
-            Some(limit) => CoverError::Limit(limit.clone()),
+            Some(limit) => control.unless_stopped(CoverError::Limit(limit.clone())),
             None => CoverError::Refused(error),
         }),
     }
@@ -104,7 +104,7 @@ fn positive(
     what: &'static str,
     bidegree: (usize, usize),
     values: Vec<FieldElement>,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Tree, CoverError> {
     positive_tree(bidegree, values, BOXES, control).map_err(|why| match why {
         NoTree::Interrupted(why) => CoverError::Interrupted(why),

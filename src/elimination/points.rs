@@ -1,12 +1,12 @@
 //! Isolated zeros with coordinates in K, where they are found by linear and quadratic eliminants.
 
 use super::closure::Closure;
-use super::control::{Control, Interrupted};
 use super::derivation::Derivation;
 use super::strategy::Strategy;
 use super::system::System;
 use super::{Outcome, Undecided, run};
 use crate::algebra::{FieldElement, Monomial, Polynomial};
+use crate::control::{Control, Interrupted};
 
 /// Zeros that are collected at most.
 const POINTS: usize = 64;
@@ -16,7 +16,7 @@ const POINTS: usize = 64;
 pub fn points_in_field(
     system: &System,
     closure: &Closure,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<Vec<FieldElement>>, Interrupted> {
     // The variable with the fewest possible values: each is tried in turn.
     let candidates = closure.eliminants.iter().filter(|(_, eliminant)| eliminant.degree() > 1);

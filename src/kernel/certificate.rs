@@ -15,6 +15,9 @@ use crate::claims::EXPECTED;
 use crate::exact::{Ring, Work};
 use crate::text::{Reader, check_text};
 
+/// The first line.
+const HEADER: &str = "prove-cap certificate 1";
+
 /// An argument for a claim about the statement with a certain hash.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Certificate {
@@ -27,9 +30,17 @@ pub struct Certificate {
 impl Certificate {
     /// The text, spelled with the names of the statement's ring.
     pub fn write(&self, ring: &Ring) -> String {
-        let first =
-            vec!["prove-cap certificate 1".to_owned(), format!("statement sha256 {}", self.statement)];
+        let first = vec![HEADER.to_owned(), format!("statement sha256 {}", self.statement)];
         self.argument.write(ring, first)
+    }
+
+    /// The hash of the statement that a file says it is for, all that is looked at being its first two lines; `None` where
+    /// they are not those of a certificate, of which [`read`](Certificate::read) has more to say.
+    pub fn statement_of(bytes: &[u8]) -> Option<&str> {
+        let mut lines = bytes.splitn(3, |&byte| byte == b'\n');
+        let (header, line) = (lines.next()?, lines.next()?);
+        let hash = std::str::from_utf8(line).ok()?.strip_prefix("statement sha256 ")?;
+        (header == HEADER.as_bytes() && is_hash(hash)).then_some(hash)
     }
 
     /// Reads a certificate, spelled with the names of `ring`.
@@ -49,7 +60,7 @@ impl Certificate {
         let mut reader = Reader::new(text, ring, unknowns, work);
         let header = "`prove-cap certificate 1`";
         let line = reader.next(header)?;
-        if line != "prove-cap certificate 1" {
+        if line != HEADER {
             return Err(reader.unexpected(line, header));
         }
         let expected = "`statement sha256 ` and 64 lower-case hexadecimal digits";

@@ -270,10 +270,9 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
         Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => {
             ReasonData::TooLarge { degree: *degree, rows: *rows, columns: *columns }
         }
-        Reason::Elimination(Undecided::Interrupted { why, reached }) => ReasonData::Interrupted {
-            why: why.to_string(),
-            reached: reached.as_ref().map(ToString::to_string),
-        },
+        Reason::Elimination(Undecided::Interrupted(stopped)) => {
+            ReasonData::Interrupted { why: stopped.to_string(), reached: stopped.reached.clone() }
+        }
         Reason::Elimination(Undecided::Consistent(closure)) => {
             let mut basis = Vec::new();
             for polynomial in closure.linear.iter().chain(&closure.basis) {

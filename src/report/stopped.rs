@@ -8,18 +8,18 @@ use serde_json::{Value, json};
 use super::bounds::{quantity_name, value_text};
 use super::rounding::{Towards, rounded};
 use crate::approximation::{BestSoFar, Decimals, quantity_of};
-use crate::elimination::Interrupted;
+use crate::control::Why;
 use crate::statement::Statement;
 
 /// Digits after the point of what was measured.
 const DIGITS: u32 = 4;
 
 /// Which of them it was, as data.
-pub fn stopped_by(why: Interrupted) -> &'static str {
+pub fn stopped_by(why: Why) -> &'static str {
     match why {
-        Interrupted::Timeout => "timeout",
-        Interrupted::Cancelled => "ctrl-c",
-        Interrupted::Memory => "memory",
+        Why::Time => "timeout",
+        Why::Interrupt => "ctrl-c",
+        Why::Memory => "memory",
     }
 }
 

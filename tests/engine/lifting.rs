@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, PrimeField, splitting_primes};
-use prove_cap::elimination::{Control, Echelon, Inserted, SparseRow, solve};
+use prove_cap::control::Control;
+use prove_cap::elimination::{Echelon, Inserted, SparseRow, solve};
 
 /// Square, by columns: `matrix[k]` is row k of Σ xₖ · rowₖ = right.
 type Matrix = Vec<Vec<FieldElement>>;

@@ -10,7 +10,8 @@
 
 use itertools::Itertools;
 use prove_cap::checker::Claim;
-use prove_cap::elimination::{Control, Undecided};
+use prove_cap::control::Control;
+use prove_cap::elimination::Undecided;
 use prove_cap::prove::{Attempt, Reason, prove};
 use prove_cap::statement::Statement;
 

@@ -12,7 +12,7 @@ use super::AuditError;
 use super::compare::Finding;
 use super::phrase::Phrase;
 use super::targets::Targets;
-use crate::elimination::Control;
+use crate::control::Control;
 use crate::exact::{Limit, Polynomial, Work};
 use crate::listing::{Claim, ClaimKind, Expression, Listing, ListingError, ListingFault, Scope, Symbol};
 use crate::statement::{Place, Statement};
@@ -52,11 +52,7 @@ pub(super) struct Case<'a> {
 }
 
 /// Judges one claim.
-pub(super) fn judge(
-    claim: &Claim,
-    case: &Case<'_>,
-    control: &Control<'_>,
-) -> Result<ClaimVerdict, AuditError> {
+pub(super) fn judge(claim: &Claim, case: &Case<'_>, control: &Control) -> Result<ClaimVerdict, AuditError> {
     let at = Claimed { claim, case };
     let (judgement, evidence) = match &claim.kind {
         ClaimKind::Relation(formula) => relation::relation(&at, formula)?,

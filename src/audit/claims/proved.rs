@@ -6,7 +6,7 @@ use crate::audit::phrase::Phrase;
 use crate::catalogue;
 use crate::certificate::Argument;
 use crate::checker::Claim;
-use crate::elimination::Control;
+use crate::control::Control;
 use crate::listing::Expectation;
 use crate::prove::{Attempt, prove};
 use crate::statement::Statement;
@@ -16,7 +16,7 @@ pub(super) fn proved(
     at: &Claimed<'_>,
     name: &str,
     expected: Expectation,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Judged, AuditError> {
     let Some(entry) = catalogue::find(name) else {
         return Err(at.wrong(format!("`{name}` is not a built-in statement")));

@@ -8,7 +8,7 @@ use super::printed::{Convention, PrintedNet, premultiplied};
 use crate::algebra::{FieldElement, Polynomial as Univariable, Univariate, polynomial_to_exact};
 use crate::audit::AuditError;
 use crate::bezier::{BernsteinForm, surface_condition};
-use crate::elimination::Control;
+use crate::control::Control;
 use crate::exact::{Polynomial, Work};
 use crate::prove::field_of;
 use crate::statement::{Patch, Statement, Subject};
@@ -47,7 +47,7 @@ pub enum NetChange {
 pub(super) fn search(
     net: &PrintedNet,
     statement: &Statement,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<NetCorrection>, AuditError> {
     let Subject::Patch(patch) = statement.subject() else { return Ok(Vec::new()) };
     let search = Search { net, statement, patch };

@@ -18,7 +18,7 @@ use super::AuditError;
 use crate::algebra::{FieldElement, Sign, polynomial_from_exact};
 use crate::certificate::{Argument, Certificate};
 use crate::checker::check_read;
-use crate::elimination::Control;
+use crate::control::Control;
 use crate::exact::Polynomial;
 use crate::expand::{Basis, coefficients};
 use crate::prove::field_of;
@@ -49,7 +49,7 @@ impl NetAudit {
     ///
     /// # Errors
     /// Where the net makes no statement (the reason in the words of the statement reader), or at a limit.
-    pub fn of(net: &PrintedNet, control: &Control<'_>) -> Result<Self, AuditError> {
+    pub fn of(net: &PrintedNet, control: &Control) -> Result<Self, AuditError> {
         let statement =
             Statement::read(&net.statement()).map_err(|error| AuditError::Net(error.fault.to_string()))?;
         let (coefficients, residual) = residual_of(&statement)?;

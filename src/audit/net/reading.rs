@@ -14,7 +14,7 @@ use crate::algebra::{
 };
 use crate::audit::AuditError;
 use crate::bezier::surface_condition;
-use crate::elimination::Control;
+use crate::control::Control;
 use crate::exact::{Polynomial, Work};
 use crate::prove::field_of;
 use crate::statement::{Patch, Statement, Subject};
@@ -40,7 +40,7 @@ pub struct Reading {
 pub(super) fn readings(
     net: &PrintedNet,
     statement: &Statement,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<Reading>, AuditError> {
     let mut found = Vec::new();
     for convention in [net.convention, net.convention.other()] {
@@ -54,7 +54,7 @@ pub(super) fn readings(
 fn reading(
     net: &PrintedNet,
     statement: &Statement,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Option<Reading>, AuditError> {
     let Subject::Patch(patch) = statement.subject() else { return Ok(None) };
     let field = field_of(statement);
