@@ -57,7 +57,7 @@ fn echelon_modulo_p(bencher: divan::Bencher, size: usize) {
     bencher.bench(|| {
         let mut echelon = Echelon::new(prime.clone());
         for (id, row) in (0..).zip(&rows) {
-            echelon.insert(id, row);
+            let _ = echelon.insert(id, row, &Control::default()).expect("nobody stops it");
         }
         echelon.pivots().count()
     });

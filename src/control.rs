@@ -63,6 +63,12 @@ pub struct Control {
     state: Arc<State>,
 }
 
+impl fmt::Debug for Control {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Control(stopped: {:?})", self.stopped())
+    }
+}
+
 #[derive(Default)]
 struct State {
     /// 0, or one more than the position of the reason in [`Why::ALL`].

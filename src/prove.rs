@@ -12,7 +12,7 @@ use crate::control::{Control, Interrupted};
 use crate::elimination::{
     Derivation, NamedStep, Outcome, Progress, Source, System, Undecided, eliminate, points_in_field,
 };
-use crate::exact::{self, Limit, Stop, Work};
+use crate::exact::{self, Limit, Stop};
 use crate::statement::{Statement, Subject};
 
 /// How an attempt at a statement ended.
@@ -261,8 +261,9 @@ pub fn flattened(
     statement: &Statement,
     steps: &[Step],
     at_most: usize,
+    control: &Control,
 ) -> Option<Vec<(Premise, exact::Polynomial)>> {
-    let mut work = Work::full();
+    let mut work = control.work();
     let mut cofactors: Vec<std::collections::BTreeMap<Premise, exact::Polynomial>> = Vec::new();
     for step in steps {
         let mut sum = std::collections::BTreeMap::<Premise, exact::Polynomial>::new();

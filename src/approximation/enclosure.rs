@@ -95,7 +95,7 @@ pub fn enclose(
 ) -> Result<Enclosure, EnclosureError> {
     let quantity = quantity_of(statement).ok_or(EnclosureError::NotAPatch)?;
     within_limits(statement, values, quantity, places, control)?;
-    let scene = Scene::of(statement, values)?;
+    let scene = Scene::of(statement, values, control)?;
     let denominator = positive(&scene.weight, BOXES, control).map_err(|why| match why {
         NoTree::Fails { at, zero } => EnclosureError::Denominator { at, zero, vanishes: !zero },
         NoTree::Near(near) => EnclosureError::NearZero(near),

@@ -31,8 +31,8 @@ pub(super) fn largest(
     let mut best: Option<Extreme> = None;
     let mut seen = 0;
     while !level.is_empty() {
-        control.check()?;
         for part in &level {
+            control.check()?;
             let [above, below] = &part.forms;
             for (number, &place) in above.corners().iter().enumerate() {
                 // n/d > best iff n·2^bits > best·d: no division unless it is.
@@ -58,7 +58,12 @@ pub(super) fn largest(
         if seen > at_most {
             return Err(NoTree::TooMany);
         }
-        level = level.iter().filter(|part| promising(part)).flat_map(Part::halves).collect();
+        let mut halves = Vec::new();
+        for part in level.iter().filter(|part| promising(part)) {
+            control.check()?;
+            halves.extend(part.halves());
+        }
+        level = halves;
     }
     best.ok_or(NoTree::TooMany)
 }

@@ -70,9 +70,7 @@ pub(super) fn tree(
     let mut open = vec![Part::whole([Coefficients { bidegree: form.bidegree, values }])];
     let mut grown = Grown { tree: Tree::new(), least: 0 };
     while let Some(part) = open.pop() {
-        if grown.tree.len().is_multiple_of(64) {
-            control.check()?;
-        }
+        control.check()?;
         if shows(form, bits, shown, &part, &mut grown.least, control)? {
             grown.tree.push(false);
             continue;

@@ -108,16 +108,28 @@ impl BernsteinForm {
     ///
     /// uʳ(1−u)^(m−r) = Σ (−1)^(k−r) C(m−r, k−r) uᵏ, and likewise in v.
     pub fn to_monomial_basis(&self) -> Vec<(u32, u32, Polynomial)> {
+        self.to_monomial_basis_within(&Control::default()).expect("nobody stops it")
+    }
+
+    /// The same, where it may be stopped.
+    ///
+    /// # Errors
+    /// [`Control::check`]
+    pub fn to_monomial_basis_within(
+        &self,
+        control: &Control,
+    ) -> Result<Vec<(u32, u32, Polynomial)>, Interrupted> {
         let (m, n) = self.bidegree;
         let entry = |(k, l): (u32, u32)| {
             let mut terms = Vec::new();
             for (r, s) in iproduct!(0..=k, 0..=l) {
+                control.check()?;
                 let size = &binomial(m - r, k - r) * &binomial(n - s, l - s);
                 let signed = if (k - r + l - s) % 2 == 0 { size } else { -&size };
                 let factor = self.field.rational(signed, Integer::one());
                 terms.extend(self.coefficient(r, s).scaled(&factor).terms().iter().cloned());
             }
-            (k, l, Polynomial::from_terms(self.field, terms))
+            Ok((k, l, Polynomial::from_terms(self.field, terms)))
         };
         iproduct!(0..=m, 0..=n).map(entry).collect()
     }

@@ -7,8 +7,11 @@ use std::time::{Duration, Instant};
 use bytesize::ByteSize;
 use clap::Args;
 
-use super::outcome::Failure;
-use crate::control::{Control, Why};
+use super::arguments::{Format, to_json};
+use super::outcome::{Failure, Outcome, Status};
+use crate::control::{Control, Interrupted, Why};
+use crate::exact::Limit;
+use crate::report::stopped::stopped_by;
 
 /// How often the memory in use is looked at.
 const WATCH: Duration = Duration::from_millis(20);
@@ -39,8 +42,35 @@ fn size(text: &str) -> Result<ByteSize, String> {
     text.parse().map_err(|_| "expected a size in bytes, such as 500M or 2G".to_owned())
 }
 
-/// Does the work under a control that listens to Ctrl-C, the clock and the memory, and shows progress where that is seen.
-pub(super) fn under_control<T>(limits: &Limits, work: impl FnOnce(&Control) -> T) -> Result<T, Failure> {
+/// Carries out a command under a control that listens to Ctrl-C, the clock and the memory, from the reading of its files to
+/// the last word of its report, and shows progress where that is seen.
+pub(super) fn under_control(
+    limits: &Limits,
+    (name, format): (&str, Format),
+    command: impl FnOnce(&Control) -> Result<Outcome, Failure>,
+) -> Result<Outcome, Failure> {
+    controlled(limits, |control| match (command(control), control.check()) {
+        // What the trusted part could not finish because it was stopped is no error.
+        (Err(Failure(message)), Err(why)) if message.contains(&Limit::ended().to_string()) => {
+            stopped(name, format, &why)
+        }
+        (outcome, _) => outcome,
+    })?
+}
+
+/// The work was stopped before anything was established.
+pub(super) fn stopped(name: &str, format: Format, why: &Interrupted) -> Result<Outcome, Failure> {
+    let text = match format {
+        Format::Json => to_json(&serde_json::json!({
+            "verdict": "UNDECIDED", "name": name, "reason": why.to_string(), "stopped": stopped_by(why.why),
+        }))?,
+        Format::Text | Format::Latex => format!("UNDECIDED  {name}: {why}\n"),
+    };
+    Ok(Outcome { text, status: Status::Undecided })
+}
+
+/// Does work under such a control.
+pub(super) fn controlled<T>(limits: &Limits, work: impl FnOnce(&Control) -> T) -> Result<T, Failure> {
     if let Some(threads) = limits.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads));
         pool.build_global().map_err(Failure::of)?;

@@ -7,6 +7,7 @@ use super::control::{Limits, under_control};
 use super::files::write_and_check;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
+use crate::control::Control;
 use crate::prove::{Attempt, prove};
 use crate::report::{describe, json};
 
@@ -16,23 +17,38 @@ pub(super) fn run(
     limits: &Limits,
     format: Format,
 ) -> Result<Outcome, Failure> {
-    let source = Source::find(name_or_file)?;
-    let attempt = under_control(limits, |control| prove(&source.statement, control))?;
-    let attempt = attempt.map_err(Failure::of)?;
+    under_control(limits, (&name_or_file.to_string_lossy(), format), |control| {
+        let source = Source::find_within(name_or_file, control)?;
+        carried_out(name_or_file, &source, directory, format, control)
+    })
+}
+
+fn carried_out(
+    name_or_file: &Path,
+    source: &Source,
+    directory: Option<&Path>,
+    format: Format,
+    control: &Control,
+) -> Result<Outcome, Failure> {
+    let attempt = prove(&source.statement, control).map_err(Failure::of)?;
     let files = match &attempt {
         Attempt::Proved { certificate, .. } => {
             let text = certificate.write(&source.statement.ring());
-            Some(write_and_check(&source, directory, &text, "certificate.txt")?)
+            match write_and_check(source, directory, (&text, "certificate.txt"), control) {
+                Ok(files) => Some(files),
+                Err(unchecked) => return unchecked.outcome(&source.name, format),
+            }
         }
         Attempt::Undecided(_) => None,
     };
     let text = match format {
         Format::Text | Format::Latex => {
             let named = (source.name.as_str(), &*name_or_file.to_string_lossy());
-            describe(named, &source.statement, source.cap, &attempt, files.as_ref()).map_err(Failure::of)?
+            describe(named, &source.statement, source.cap, &attempt, files.as_ref(), control)
+                .map_err(Failure::of)?
         }
         Format::Json => {
-            let data = json::attempt(&source.name, &source.statement, &attempt, files.as_ref())
+            let data = json::attempt(&source.name, &source.statement, &attempt, files.as_ref(), control)
                 .map_err(Failure::of)?;
             to_json(&data)?
         }

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::arguments::{Format, to_json};
-use super::control::{Limits, under_control};
+use super::control::{Limits, controlled};
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
 use super::values::values;
@@ -77,7 +77,7 @@ struct Unfinished {
 }
 
 pub(super) fn run(options: &TableOptions, format: Format) -> Result<Outcome, Failure> {
-    let (lines, unfinished) = under_control(&options.limits, rows)??;
+    let (lines, unfinished) = controlled(&options.limits, rows)??;
     let status = if unfinished.is_some() { Status::Undecided } else { Status::Established };
     let text = match format {
         Format::Json => to_json(&data(&lines, unfinished.as_ref())?)?,

@@ -38,6 +38,7 @@ pub fn tile(named: &NamedPolygon, bidegree: (u32, u32), control: &Control) -> Re
     }
     let mut seams = Vec::new();
     for [(first, made), (second, other)] in faces.iter().enumerate().array_combinations() {
+        control.check()?;
         for ((from, to), curve) in edges(made) {
             for ((start, end), opposite) in edges(other) {
                 let same = (&from, &to) == (&start, &end);

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::bounds::{quantity_name, value_text};
 use super::rounding::{Towards, rounded};
 use crate::approximation::{BestSoFar, Decimals, quantity_of};
-use crate::control::Why;
+use crate::control::{Interrupted, Why};
 use crate::statement::Statement;
 
 /// Digits after the point of what was measured.
@@ -21,6 +21,11 @@ pub fn stopped_by(why: Why) -> &'static str {
         Why::Interrupt => "ctrl-c",
         Why::Memory => "memory",
     }
+}
+
+/// That an explanation was not finished; the verdict does not depend on it.
+pub fn cut_short(why: &Interrupted) -> String {
+    format!("The explanation was cut short: {why}.")
 }
 
 /// The best values so far, with what was measured there.

@@ -107,6 +107,7 @@ fn enclosed(
     match enclose(at.case.statement, &point, PLACES, control) {
         Ok(enclosure) if enclosure.bounds.quantity == Quantity::Radius => Ok(Ok(enclosure)),
         Ok(_) => Err(at.wrong("the surface is not the unit sphere X² + Y² + Z² = W²".to_owned())),
+        Err(EnclosureError::Interrupted(why)) => Err(why.into()),
         Err(error @ EnclosureError::NotAPatch) => Err(at.wrong(error.to_string())),
         Err(error) => Ok(Err(error.to_string())),
     }

@@ -116,6 +116,12 @@ impl Work {
         Work { left: limits::WORK, ended: Some(Arc::new(ended)) }
     }
 
+    /// Not more than so many units.
+    #[must_use]
+    pub fn at_most(self, units: u64) -> Self {
+        Work { left: self.left.min(units), ..self }
+    }
+
     /// Takes `amount` from the allowance.
     pub fn charge(&mut self, amount: u64) -> Result<(), Limit> {
         let Some(left) = self.left.checked_sub(amount) else {
@@ -129,7 +135,7 @@ impl Work {
         Ok(())
     }
 
-    /// Units taken so far.
+    /// Units taken so far from the full allowance.
     pub fn spent(&self) -> u64 {
         limits::WORK.saturating_sub(self.left)
     }
