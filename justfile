@@ -18,6 +18,7 @@ lint:
 replay:
     cargo build --release -p prove-cap-kernel
     scripts/replay target/release/prove-cap-check
+    python3 checkers/python/agree.py target/release/prove-cap-check
 
 # Coq and the computer-algebra systems that are installed verify every proof; five minutes.
 outside:

@@ -255,7 +255,7 @@ fn constructed_nets_are_audited_proved_and_bounded() {
         assert!(text.starts_with("AGREES  the net lies on the unit sphere"), "{text}");
         let (code, text) = run(at, &["prove", "net.json", "-o", "proof"]);
         assert_eq!(code, Some(0), "{text}");
-        assert!(text.starts_with("EXACT  net: this patch lies on the surface"), "{text}");
+        assert!(text.starts_with("EXACT  net: this patch lies on the unit sphere"), "{text}");
         let (code, text) = run(at, &["bound", "net.json", "-o", "bounds", "--tolerance", "1e-6"]);
         assert_eq!(code, Some(0), "{text}");
         assert!(text.starts_with("PROVED  net: 1.000000 ≤ r ≤ 1.000000"), "{text}");

@@ -347,9 +347,9 @@ fn a_rounded_net_in_the_wrong_convention_is_not_called_beyond_help() {
     };
     let (status, text) = run(&net("wrong"), &["audit", "it.toml"]);
     assert_eq!(status, 1);
-    assert!(text.contains("   read as premultiplied: the largest is c[2,"), "{text}");
+    assert!(text.contains("   read as premultiplied: the largest is c["), "{text}");
     assert!(
-        text.contains("puts the net exactly on the surface was found; nor does the other convention.\n"),
+        text.contains("and the other convention does not put it there. What each convention leaves:\n"),
         "{text}"
     );
     // In the right one there is nothing better to say.
