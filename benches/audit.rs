@@ -4,7 +4,7 @@ use divan::Bencher;
 use prove_cap::audit::net::{NetAudit, PrintedNet, from_json};
 use prove_cap::audit::{Audit, PAPER};
 use prove_cap::catalogue;
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::listing::Listing;
 use prove_cap::statement::Statement;
 

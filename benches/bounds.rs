@@ -4,7 +4,7 @@ use divan::Bencher;
 use prove_cap::approximation::{Objective, Search, approximate, enclose};
 use prove_cap::catalogue;
 use prove_cap::checker::check_read;
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::exact::{Polynomial, Work};
 use prove_cap::statement::Statement;
 

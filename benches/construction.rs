@@ -3,7 +3,7 @@
 use divan::Bencher;
 use prove_cap::checker::check_read;
 use prove_cap::construction::{construct, tile};
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::geometry::{NamedPolygon, Polygon};
 
 fn main() {

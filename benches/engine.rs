@@ -3,7 +3,8 @@
 //! `cargo bench --bench engine`, with `--features gmp` for the other backend.
 
 use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, PrimeField, splitting_primes};
-use prove_cap::elimination::{Control, Echelon, SparseRow, solve};
+use prove_cap::control::Control;
+use prove_cap::elimination::{Echelon, SparseRow, solve};
 
 fn main() {
     divan::main();
@@ -56,7 +57,7 @@ fn echelon_modulo_p(bencher: divan::Bencher, size: usize) {
     bencher.bench(|| {
         let mut echelon = Echelon::new(prime.clone());
         for (id, row) in (0..).zip(&rows) {
-            echelon.insert(id, row);
+            let _ = echelon.insert(id, row, &Control::default()).expect("nobody stops it");
         }
         echelon.pivots().count()
     });

@@ -4,7 +4,7 @@
 
 use prove_cap::catalogue::{ENTRIES, find};
 use prove_cap::checker::check;
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;
 

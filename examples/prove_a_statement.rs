@@ -3,7 +3,7 @@
 //! `cargo run --example prove_a_statement`
 
 use prove_cap::catalogue;
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;
 

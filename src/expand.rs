@@ -1,8 +1,9 @@
 //! The coefficients of the surface condition in both bases, each with its name.
 
 use crate::algebra::polynomial_to_exact;
+use crate::control::{Control, Interrupted};
 use crate::exact::{Limit, Polynomial};
-use crate::prove::condition_of;
+use crate::prove::condition_within;
 use crate::statement::Statement;
 
 /// In which basis F is expanded.
@@ -30,17 +31,44 @@ pub struct Coefficient {
 /// # Errors
 /// Where a coefficient exceeds what the formats allow.
 pub fn coefficients(statement: &Statement, basis: Basis) -> Result<Option<Vec<Coefficient>>, Limit> {
-    let Some(form) = condition_of(statement) else {
+    coefficients_within(statement, basis, &Control::default()).map_err(|error| match error {
+        ExpansionError::Limit(limit) => limit,
+        ExpansionError::Interrupted(_) => unreachable!("nobody stops it"),
+    })
+}
+
+/// Why there is no expansion.
+#[derive(Debug, thiserror::Error)]
+pub enum ExpansionError {
+    /// A coefficient exceeds what the formats allow.
+    #[error(transparent)]
+    Limit(#[from] Limit),
+    /// Interrupted.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}
+
+/// The same, where it may be stopped.
+///
+/// # Errors
+/// [`ExpansionError`]
+pub fn coefficients_within(
+    statement: &Statement,
+    basis: Basis,
+    control: &Control,
+) -> Result<Option<Vec<Coefficient>>, ExpansionError> {
+    let Some(form) = condition_within(statement, control)? else {
         return Ok(None);
     };
     let entries: Vec<_> = match basis {
         Basis::Bernstein => form.coefficients().map(|(r, s, c)| (r, s, c.clone())).collect(),
-        Basis::Monomial => form.to_monomial_basis(),
+        Basis::Monomial => form.to_monomial_basis_within(control)?,
     };
     let edge_free = entries.iter().all(|(i, j, value)| *i > 0 && *j > 0 || value.is_zero());
     let numbered = basis == Basis::Monomial && form.bidegree() == (4, 4) && edge_free;
     let mut list = Vec::with_capacity(entries.len());
     for (i, j, value) in entries {
+        control.check()?;
         let name = match basis {
             Basis::Bernstein => format!("c[{i},{j}]"),
             Basis::Monomial if numbered && i > 0 && j > 0 => format!("a{}", 4 * (i - 1) + j),

@@ -9,7 +9,7 @@
 //! it. A bug in them can lose a proof but never make a false one.
 //!
 //! ```
-//! use prove_cap::{catalogue, elimination::Control, prove::{Attempt, prove}, statement::Statement};
+//! use prove_cap::{catalogue, control::Control, prove::{Attempt, prove}, statement::Statement};
 //!
 //! let text = catalogue::find("cap-2x2").unwrap().statement();
 //! let statement = Statement::read(&text).unwrap();
@@ -21,6 +21,7 @@
 pub use prove_cap_kernel::{certificate, checker, exact, statement};
 
 // Untrusted: whatever comes out of these is judged by the checker.
+pub mod control;
 pub mod algebra;
 pub mod bezier;
 pub mod geometry;

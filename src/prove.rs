@@ -4,14 +4,15 @@ mod extension;
 mod zero;
 
 use crate::algebra::{MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact};
-use crate::bezier::{BernsteinForm, surface_condition};
+use crate::bezier::{BernsteinForm, surface_condition_within};
 use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::checker::{CheckError, Equations, Theorem, check_read};
+use crate::checker::{CheckError, Equations, Theorem, check_read_within};
+use crate::control::{Control, Interrupted};
 use crate::elimination::{
-    Closure, Control, Derivation, Interrupted, NamedStep, Outcome, Progress, Source, System, Tried,
-    Undecided, eliminate, points_in_field,
+    Closure, Derivation, NamedStep, Outcome, Progress, Source, System, Tried, Undecided, eliminate,
+    points_in_field,
 };
-use crate::exact::{self, Limit, Stop, Work};
+use crate::exact::{self, Limit, Stop};
 use crate::statement::{Statement, Subject};
 
 pub use extension::Extension;
@@ -79,7 +80,14 @@ pub enum ProveError {
 /// Why what was found is not an answer: it is too long for the checker, or an error.
 enum NoAnswer {
     Limit(Limit),
+    Interrupted(Interrupted),
     Error(ProveError),
+}
+
+impl From<Interrupted> for NoAnswer {
+    fn from(why: Interrupted) -> Self {
+        NoAnswer::Interrupted(why)
+    }
 }
 
 impl From<Limit> for NoAnswer {
@@ -104,17 +112,31 @@ pub fn field_of(statement: &Statement) -> MultiquadraticField {
 
 /// The form whose coefficients must vanish for the patch to lie on the surface; `None` for a bare system.
 pub fn condition_of(statement: &Statement) -> Option<BernsteinForm> {
+    condition_within(statement, &Control::default()).expect("nobody stops it")
+}
+
+/// The same, where it may be stopped.
+///
+/// # Errors
+/// [`Control::check`]
+pub fn condition_within(
+    statement: &Statement,
+    control: &Control,
+) -> Result<Option<BernsteinForm>, Interrupted> {
     match statement.subject() {
-        Subject::Patch(patch) => Some(surface_condition(field_of(statement), patch)),
-        Subject::System(_) => None,
+        Subject::Patch(patch) => surface_condition_within(field_of(statement), patch, control).map(Some),
+        Subject::System(_) => Ok(None),
     }
 }
 
 /// The equations of a statement, as the prover expands them.
-pub fn system_of(statement: &Statement) -> System {
+///
+/// # Errors
+/// [`Control::check`]
+pub fn system_of(statement: &Statement, control: &Control) -> Result<System, Interrupted> {
     let field = field_of(statement);
     let mut equations: Vec<(Premise, Polynomial)> = match statement.subject() {
-        Subject::Patch(patch) => surface_condition(field, patch)
+        Subject::Patch(patch) => surface_condition_within(field, patch, control)?
             .coefficients()
             .map(|(r, s, coefficient)| (Premise::Coefficient(r, s), coefficient.clone()))
             .collect(),
@@ -131,47 +153,49 @@ pub fn system_of(statement: &Statement) -> System {
         let minus_one = Polynomial::constant(field.integer(-1));
         equations.push((Premise::Nonzero(number as u32 + 1), product.add(&minus_one)));
     }
-    System::new(field, unknowns + statement.nonzero().len(), equations)
+    Ok(System::new(field, unknowns + statement.nonzero().len(), equations))
 }
 
 /// Tries to decide a statement.
 ///
 /// # Errors
 /// [`ProveError`] where the checker disagrees. What exceeds its limits is undecided.
-pub fn prove(statement: &Statement, control: &Control<'_>) -> Result<Attempt, ProveError> {
+pub fn prove(statement: &Statement, control: &Control) -> Result<Attempt, ProveError> {
     // The prover has no limits of its own; what the checker cannot derive is not worth proving.
-    let limited = |limit, found| Ok(Attempt::Undecided(Reason::Limited { limit, found }));
-    match Equations::of(statement, &mut Work::full()) {
+    let limited = |limit, found| match control.check() {
+        Ok(()) => Ok(Attempt::Undecided(Reason::Limited { limit, found })),
+        // The limit may be that the checker was stopped.
+        Err(why) => Ok(interrupted(why)),
+    };
+    match Equations::of(statement, &mut control.work()) {
         Ok(_) => {}
         Err(Stop::Limit(limit)) => return limited(limit, false),
         Err(defect) => return Err(ProveError::Defect(defect)),
     }
-    if let Err(why) = control.check() {
-        return Ok(interrupted(why, control));
-    }
     search(statement, control).or_else(|why| match why {
         NoAnswer::Limit(limit) => limited(limit, true),
+        NoAnswer::Interrupted(why) => Ok(interrupted(why)),
         NoAnswer::Error(error) => Err(error),
     })
 }
 
-fn interrupted(why: Interrupted, control: &Control<'_>) -> Attempt {
-    let reached = control.reached.borrow().clone();
-    Attempt::Undecided(Reason::Elimination(Undecided::Interrupted { why, reached }))
+fn interrupted(why: Interrupted) -> Attempt {
+    Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why)))
 }
 
-fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, NoAnswer> {
-    let system = system_of(statement);
+fn search(statement: &Statement, control: &Control) -> Result<Attempt, NoAnswer> {
+    control.check()?;
+    let system = system_of(statement, control)?;
     let (derivation, outcome) = eliminate(&system, control);
     match outcome {
         Outcome::Unit(unit) => {
             control.observe(&Progress::Shortening);
-            let argument = Argument::Impossible(steps(&derivation, unit)?);
-            Ok(checked(statement, argument)?)
+            let argument = Argument::Impossible(steps(&derivation, unit, control)?);
+            Ok(checked(statement, argument, control)?)
         }
         Outcome::Point(point) => {
             let mut best = Best::default();
-            let _ = best.consider(statement, point, &Freedom::default());
+            let _ = best.consider(statement, point, &Freedom::default(), control);
             Ok(best.take()?.unwrap_or(NO_DENOMINATOR))
         }
         Outcome::Open(Undecided::Consistent(closure)) if closure.dimension > 0 => {
@@ -180,11 +204,11 @@ fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, NoAns
         Outcome::Open(Undecided::Consistent(closure)) => {
             let points = match points_in_field(&system, &closure, control) {
                 Ok(points) => points,
-                Err(why) => return Ok(interrupted(why, control)),
+                Err(why) => return Ok(interrupted(why)),
             };
             let mut best = Best::default();
             for point in points {
-                if best.consider(statement, point, &Freedom::default()).is_break() {
+                if best.consider(statement, point, &Freedom::default(), control).is_break() {
                     break;
                 }
             }
@@ -197,9 +221,9 @@ fn search(statement: &Statement, control: &Control<'_>) -> Result<Attempt, NoAns
 const NO_DENOMINATOR: Attempt = Attempt::Undecided(Reason::NoDenominator);
 
 /// The certificate with this argument, and what the checker says of it.
-fn checked(statement: &Statement, argument: Argument) -> Result<Attempt, CheckError> {
+fn checked(statement: &Statement, argument: Argument, control: &Control) -> Result<Attempt, CheckError> {
     let certificate = Certificate { statement: statement.hash(), argument };
-    let theorem = check_read(statement, &certificate);
+    let theorem = check_read_within(statement, &certificate, &mut control.work());
     theorem.map(|theorem| Attempt::Proved {
         certificate,
         theorem: Box::new(theorem),
@@ -207,10 +231,10 @@ fn checked(statement: &Statement, argument: Argument) -> Result<Attempt, CheckEr
     })
 }
 
-fn steps(derivation: &Derivation<'_>, unit: Source) -> Result<Vec<Step>, Limit> {
-    let Some(proof) = derivation.proof_of(unit) else {
+fn steps(derivation: &Derivation<'_>, unit: Source, control: &Control) -> Result<Vec<Step>, NoAnswer> {
+    let Some(proof) = derivation.proof_of(unit, control)? else {
         // 1 is itself an equation of the statement. One step must conclude it, from that equation alone.
-        return given_unit(derivation);
+        return Ok(given_unit(derivation)?);
     };
     let mut steps = Vec::with_capacity(proof.len());
     for NamedStep { combination, conclusion } in proof {
@@ -239,8 +263,9 @@ pub fn flattened(
     statement: &Statement,
     steps: &[Step],
     at_most: usize,
+    control: &Control,
 ) -> Option<Vec<(Premise, exact::Polynomial)>> {
-    let mut work = Work::full();
+    let mut work = control.work();
     let mut cofactors: Vec<std::collections::BTreeMap<Premise, exact::Polynomial>> = Vec::new();
     for step in steps {
         let mut sum = std::collections::BTreeMap::<Premise, exact::Polynomial>::new();

@@ -5,6 +5,10 @@ use std::collections::BTreeMap;
 use super::field::{FieldElement, MultiquadraticField};
 use super::integer::Integer;
 use super::monomial::Monomial;
+use crate::control::{Control, Interrupted};
+
+/// Products of two terms between two questions whether to go on.
+const PRODUCTS: usize = 64;
 
 /// A polynomial in x₀, x₁, … with coefficients in K.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -121,13 +125,30 @@ impl Polynomial {
 
     /// self · other.
     pub fn multiply(&self, other: &Self) -> Self {
+        let product = Polynomial::sum_of_products(self.field, [(self, other)], &Control::default());
+        product.expect("nobody stops it")
+    }
+
+    /// Σ a·b over the given pairs.
+    ///
+    /// # Errors
+    /// [`Control::check`]
+    pub fn sum_of_products<'a>(
+        field: MultiquadraticField,
+        pairs: impl IntoIterator<Item = (&'a Polynomial, &'a Polynomial)>,
+        control: &Control,
+    ) -> Result<Self, Interrupted> {
         let mut sum = BTreeMap::new();
-        for (m, a) in &self.terms {
-            for (n, b) in &other.terms {
-                add_to(&mut sum, m.product(n), a * b);
+        let mut pace = control.every(PRODUCTS);
+        for (x, y) in pairs {
+            for (m, a) in &x.terms {
+                for (n, b) in &y.terms {
+                    pace.count(1)?;
+                    add_to(&mut sum, m.product(n), a * b);
+                }
             }
         }
-        Polynomial { field: self.field, terms: sum.into_iter().rev().collect() }
+        Ok(Polynomial { field, terms: sum.into_iter().rev().collect() })
     }
 
     /// The value at a point, given by variable.

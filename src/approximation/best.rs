@@ -14,7 +14,7 @@ use super::polish::polish;
 use super::recognise::recognised;
 use super::start::{Stopped, least_squares, start};
 use crate::certificate::Quantity;
-use crate::elimination::{Control, Interrupted};
+use crate::control::{Control, Interrupted};
 use crate::exact::Polynomial;
 use crate::statement::Statement;
 
@@ -102,7 +102,7 @@ pub enum ApproximationError {
 pub fn approximate(
     statement: &Statement,
     search: &Search,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Approximation, ApproximationError> {
     let normal = Normal::of(statement).map_err(EnclosureError::Limit)?;
     let normal = normal.filter(|normal| !normal.unknowns.is_empty());
@@ -133,7 +133,7 @@ fn searched(
     model: &Model,
     normal: &Normal,
     search: &Search,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Option<Vec<f64>>, Stopped> {
     let Some(from) = start(model, normal.fairest.as_deref(), search.seed, control)? else { return Ok(None) };
     let intervals = search.points.max(2) - 1;

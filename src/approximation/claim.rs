@@ -8,6 +8,7 @@ use super::enclosure::{Enclosure, EnclosureError};
 use super::point::{decimal_at, simple_point_beyond};
 use super::scene::Scene;
 use crate::certificate::{Side, decimal_value, spell_decimal};
+use crate::control::Control;
 use crate::statement::Statement;
 
 /// One end of a printed interval, judged.
@@ -49,7 +50,7 @@ pub fn judge(
     claim: &[String; 2],
 ) -> Result<Vec<EndVerdict>, EnclosureError> {
     let bounds = &enclosure.bounds;
-    let scene = Scene::of(statement, &bounds.values)?;
+    let scene = Scene::of(statement, &bounds.values, &Control::default())?;
     let proved = [&bounds.lower.bound, &bounds.upper.bound].map(|units| decimal_value(units, bounds.places));
     let unit = decimal_value(&BigInt::one(), bounds.places);
     let ends = [

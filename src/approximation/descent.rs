@@ -12,8 +12,9 @@ use super::extremes::{Place, local_extremes};
 use super::linear::Orthogonal;
 use super::model::{Deviation, Fitted, Model};
 use super::objective::{Objective, PENALTY};
+use super::progress::Progress;
 use super::start::Stopped;
-use crate::elimination::{Control, Progress};
+use crate::control::Control;
 
 /// Intervals of the grid on which extremes are looked for.
 pub(super) const GRID: usize = 64;
@@ -26,7 +27,7 @@ pub(super) fn descend(
     model: &Model,
     start: &[f64],
     objective: Objective,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<f64>, Stopped> {
     let mut values = start.to_vec();
     let mut radius = 0.05;

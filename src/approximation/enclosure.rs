@@ -10,8 +10,8 @@ use super::end::{BOXES, Search, small};
 use super::scene::Scene;
 use super::tree::{NoTree, positive};
 use crate::certificate::{Argument, Bounds, Certificate, End, Quantity, Side};
-use crate::checker::{CheckError, Theorem, check_read};
-use crate::elimination::{Control, Interrupted};
+use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::control::{Control, Interrupted};
 use crate::exact::{Limit, Polynomial, Work};
 use crate::statement::{Patch, Statement, Subject};
 
@@ -71,8 +71,8 @@ pub enum EnclosureError {
     #[error("the subdivision became too fine: more than {0} boxes")]
     TooFine(usize),
     /// Interrupted.
-    #[error("{0}")]
-    Interrupted(Interrupted),
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
     /// A limit of the checker, whatever the certificate.
     #[error("the checker, which judges every certificate, has limits: {0}")]
     Limit(#[from] Limit),
@@ -91,11 +91,11 @@ pub fn enclose(
     statement: &Statement,
     values: &[Polynomial],
     places: u32,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Enclosure, EnclosureError> {
     let quantity = quantity_of(statement).ok_or(EnclosureError::NotAPatch)?;
-    within_limits(statement, values, quantity, places)?;
-    let scene = Scene::of(statement, values)?;
+    within_limits(statement, values, quantity, places, control)?;
+    let scene = Scene::of(statement, values, control)?;
     let denominator = positive(&scene.weight, BOXES, &|near| scene.simple(near), control);
     let denominator = denominator.map_err(|why| match why {
         NoTree::Fails { at, zero } => {
@@ -119,7 +119,8 @@ pub fn enclose(
     let bounds = Bounds { values, quantity, places, odds, denominator, lower, upper };
     let argument = Argument::Bounds(bounds.clone());
     let certificate = Certificate { statement: statement.hash(), argument };
-    let theorem = check_read(statement, &certificate).map_err(refused)?;
+    let checked = check_read_within(statement, &certificate, &mut control.work());
+    let theorem = checked.map_err(|error| control.unless_stopped(refused(error)))?;
     Ok(Enclosure { bounds, attained, best, certificate, theorem })
 }
 
@@ -129,6 +130,7 @@ fn within_limits(
     values: &[Polynomial],
     quantity: Quantity,
     places: u32,
+    control: &Control,
 ) -> Result<(), EnclosureError> {
     let origin = || [BigRational::zero(), BigRational::zero()];
     let end = || End { bound: BigInt::ZERO, at: origin(), tree: vec![false] };
@@ -136,8 +138,8 @@ fn within_limits(
     let (odds, denominator) = ([BigRational::one(), BigRational::one()], vec![false]);
     let bounds = Bounds { values, quantity, places, odds, denominator, lower: end(), upper: end() };
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Bounds(bounds) };
-    match check_read(statement, &certificate) {
-        Err(error) if error.limit().is_some() => Err(refused(error)),
+    match check_read_within(statement, &certificate, &mut control.work()) {
+        Err(error) if error.limit().is_some() => Err(control.unless_stopped(refused(error))),
         _ => Ok(()),
     }
 }

@@ -14,7 +14,7 @@ use super::tree::{NoTree, Shown, tree};
 use crate::algebra::fixed;
 use crate::algebra::{FieldElement, Integer};
 use crate::certificate::{End, Quantity, Side, Units, spell_decimal};
-use crate::elimination::Control;
+use crate::control::Control;
 
 /// Boxes before an enclosure is given up.
 pub(super) const BOXES: usize = 200_000;
@@ -53,7 +53,7 @@ pub(super) struct Search<'a> {
     pub(super) side: Side,
     pub(super) places: u32,
     pub(super) small: u32,
-    pub(super) control: &'a Control<'a>,
+    pub(super) control: &'a Control,
 }
 
 impl Search<'_> {
@@ -106,7 +106,7 @@ impl Search<'_> {
         let inside = if self.side == Side::Lower { Ordering::Greater } else { Ordering::Less };
         let near = near.into_iter().flatten();
         for point in near.clone().cloned().chain(near.flat_map(|near| self.scene.simple(near))) {
-            self.control.check().map_err(EnclosureError::Interrupted)?;
+            self.control.check()?;
             let point = self.scene.outer(&point);
             if self.scene.compare_decimal(&point, decimal, self.places) != inside {
                 return Ok(Some(point));

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::boxes::{Coefficients, Part};
 use super::tree::NoTree;
 use crate::algebra::Integer;
-use crate::elimination::Control;
+use crate::control::Control;
 
 /// A point (u, v) of the square, and the quotient there in fixed point.
 #[derive(Debug, Clone)]
@@ -25,14 +25,14 @@ pub(super) fn largest(
     bits: u32,
     slack: &Integer,
     at_most: usize,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Extreme, NoTree> {
     let mut level = vec![Part::whole([numerator, denominator])];
     let mut best: Option<Extreme> = None;
     let mut seen = 0;
     while !level.is_empty() {
-        control.check().map_err(NoTree::Interrupted)?;
         for part in &level {
+            control.check()?;
             let [above, below] = &part.forms;
             for (number, &place) in above.corners().iter().enumerate() {
                 // n/d > best iff n·2^bits > best·d: no division unless it is.
@@ -58,7 +58,12 @@ pub(super) fn largest(
         if seen > at_most {
             return Err(NoTree::TooMany);
         }
-        level = level.iter().filter(|part| promising(part)).flat_map(Part::halves).collect();
+        let mut halves = Vec::new();
+        for part in level.iter().filter(|part| promising(part)) {
+            control.check()?;
+            halves.extend(part.halves());
+        }
+        level = halves;
     }
     best.ok_or(NoTree::TooMany)
 }

@@ -6,7 +6,7 @@
 use super::linear::Orthogonal;
 use super::model::Model;
 use super::start::Stopped;
-use crate::elimination::{Control, Interrupted};
+use crate::control::{Control, Interrupted};
 
 /// So many steps with little gain, one after another, are the last.
 const IDLE: usize = 3;
@@ -40,7 +40,7 @@ pub(super) fn bottom(
     from: &[f64],
     intervals: usize,
     limits: Limits,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<f64>, Stopped> {
     let mut values = from.to_vec();
     let (mut damping, mut idle) = (0.03, 0);
@@ -78,12 +78,7 @@ fn in_reach(model: &Model, values: &[f64], intervals: usize) -> bool {
 }
 
 impl Residuals {
-    fn of(
-        model: &Model,
-        values: &[f64],
-        intervals: usize,
-        control: &Control<'_>,
-    ) -> Result<Self, Interrupted> {
+    fn of(model: &Model, values: &[f64], intervals: usize, control: &Control) -> Result<Self, Interrupted> {
         let fitted = model.at(values);
         let at = |i: usize| i as f64 / intervals as f64;
         let points = (intervals + 1) * (intervals + 1);
@@ -107,7 +102,7 @@ impl Residuals {
         from: &[f64],
         intervals: usize,
         damping: f64,
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Vec<f64>, Interrupted> {
         // The damping is one more equation for each unknown: its step is nothing.
         let unknowns = from.len();

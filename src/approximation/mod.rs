@@ -23,6 +23,7 @@ mod normal;
 mod objective;
 mod point;
 mod polish;
+mod progress;
 mod recognise;
 mod scene;
 mod seam;

@@ -10,6 +10,7 @@ use super::contact::rounded;
 use super::enclosure::EnclosureError;
 use super::scene::Scene;
 use crate::certificate::Side;
+use crate::control::Control;
 use crate::exact;
 use crate::statement::Statement;
 
@@ -26,7 +27,7 @@ pub fn compare_at(
     at: &[BigRational; 2],
     bound: &BigRational,
 ) -> Result<Ordering, EnclosureError> {
-    Ok(Scene::of(statement, values)?.compare(at, bound))
+    Ok(Scene::of(statement, values, &Control::default())?.compare(at, bound))
 }
 
 /// The point of smallest denominator near `near` where the quantity is beyond a bound, or `near` itself.

@@ -12,9 +12,10 @@ use super::enclosure::{EnclosureError, patch_at, quantity_of};
 use super::exactly::ExactForm;
 use crate::algebra::{FieldElement, Integer, MultiquadraticField};
 use crate::algebra::{Magnitude, magnitude};
-use crate::bezier::surface_condition;
+use crate::bezier::surface_condition_within;
 use crate::certificate::{Quantity, Side, Units, decimal_value};
-use crate::exact::{Polynomial, Work};
+use crate::control::Control;
+use crate::exact::Polynomial;
 use crate::prove::field_of;
 use crate::statement::{Patch, Statement};
 
@@ -43,14 +44,20 @@ pub(super) struct Scene {
 
 impl Scene {
     /// The patch of a statement at these values, if its first weight is positive.
-    pub(super) fn of(statement: &Statement, values: &[Polynomial]) -> Result<Self, EnclosureError> {
+    pub(super) fn of(
+        statement: &Statement,
+        values: &[Polynomial],
+        control: &Control,
+    ) -> Result<Self, EnclosureError> {
         let quantity = quantity_of(statement).ok_or(EnclosureError::NotAPatch)?;
         let patch = patch_at(statement, values)?;
         let field = field_of(statement);
-        let along =
-            |surface: Polynomial| surface_condition(field, &Patch { surface, ..patch.clone() }).constants();
+        let along = |surface: Polynomial| {
+            surface_condition_within(field, &Patch { surface, ..patch.clone() }, control)
+                .map(|form| form.constants())
+        };
         let degree = patch.surface.degree();
-        let weights = along(Polynomial::variable(3));
+        let weights = along(Polynomial::variable(3))?;
         let scale = match weights.first().and_then(magnitude) {
             Some(Magnitude { negative: false, exponent }) => unit(&weights[0], exponent),
             found => {
@@ -75,7 +82,7 @@ impl Scene {
         };
         let n = patch.bidegree.1;
         let to_degree = (0..degree).fold(field.one(), |power, _| &power * &scale);
-        let power = Polynomial::variable(3).power(degree, statement.field(), &mut Work::full())?;
+        let power = Polynomial::variable(3).power(degree, statement.field(), &mut control.work())?;
         let size = |(m, n): (u32, u32), times: u32| ((m * times) as usize, (n * times) as usize);
         Ok(Scene {
             field,
@@ -84,8 +91,8 @@ impl Scene {
             odds: exponents.map(power_of_two),
             weight: ExactForm::new(field, size(patch.bidegree, 1), balanced(times(weights, &scale), n)),
             bidegree: size(patch.bidegree, degree),
-            surface: balanced(times(along(patch.surface.clone()), &to_degree), n * degree),
-            power: balanced(times(along(power), &to_degree), n * degree),
+            surface: balanced(times(along(patch.surface.clone())?, &to_degree), n * degree),
+            power: balanced(times(along(power)?, &to_degree), n * degree),
         })
     }
 

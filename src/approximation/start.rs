@@ -1,13 +1,12 @@
 //! Least squares by sequential quadratic programming, from many starts.
 
-use std::cell::Cell;
-
 use itertools::iproduct;
 use slsqp::{Func, StopTols, minimize};
 
 use super::levenberg::{Limits, REACH, bottom};
 use super::model::Model;
-use crate::elimination::{Control, Interrupted, Progress};
+use super::progress::Progress;
+use crate::control::{Control, Interrupted};
 
 /// Starts that are tried.
 pub(super) const STARTS: usize = 48;
@@ -50,7 +49,7 @@ pub(super) fn start(
     model: &Model,
     fairest: Option<&[f64]>,
     seed: u64,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Option<Vec<f64>>, Stopped> {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut best: Option<(f64, Vec<f64>)> = None;
@@ -78,7 +77,7 @@ pub(super) fn start(
 }
 
 /// The sum of squares that is reached from a start, and where; nothing without a positive denominator.
-fn descent(model: &Model, from: &[f64], control: &Control<'_>) -> Result<Option<(f64, Vec<f64>)>, Stopped> {
+fn descent(model: &Model, from: &[f64], control: &Control) -> Result<Option<(f64, Vec<f64>)>, Stopped> {
     let positive = |values: &[f64]| model.at(values).smallest_weight(2 * COARSE) >= WEIGHT;
     // F without its denominator leads from anywhere to near the surface, or to a patch that is nowhere.
     let near = sequential(model, from, (COARSE, false), &[], control);
@@ -106,7 +105,7 @@ pub(super) fn least_squares(
     from: &[f64],
     intervals: usize,
     pass: &[(f64, f64)],
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<f64>, Stopped> {
     if pass.is_empty() {
         // Most of the way on a coarse grid, where it costs little.
@@ -128,20 +127,16 @@ fn sequential(
     from: &[f64],
     (intervals, divided): (usize, bool),
     pass: &[(f64, f64)],
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<f64>, Interrupted> {
     control.check()?;
     let (unit, _) = squares(model, from, intervals, divided);
     let unit = if unit > 0.0 && unit.is_finite() { unit } else { 1.0 };
-    let stopped = Cell::new(None);
     let objective = |values: &[f64], gradient: Option<&mut [f64]>, (): &mut ()| {
-        if stopped.get().is_none() {
-            stopped.set(control.check().err());
-        }
         // The method has no string to stop it by, but ends where nothing is to be gained.
-        let (sum, slopes) = match stopped.get() {
-            None => squares(model, values, intervals, divided),
-            Some(_) => (0.0, vec![0.0; values.len()]),
+        let (sum, slopes) = match control.check() {
+            Ok(()) => squares(model, values, intervals, divided),
+            Err(_) => (0.0, vec![0.0; values.len()]),
         };
         if let Some(gradient) = gradient {
             gradient.iter_mut().zip(&slopes).for_each(|(to, slope)| *to = slope / unit);
@@ -165,9 +160,7 @@ fn sequential(
     let stop = StopTols { ftol_rel: 1e-15, xtol_rel: 1e-15, ..StopTols::default() };
     let (Ok((_, values, _)) | Err((_, values, _))) =
         minimize(objective, from, &bounds, &constraints, (), 2000, Some(stop));
-    match stopped.get() {
-        Some(why) => Err(why),
-        None if values.iter().all(|value| value.is_finite()) => Ok(values),
-        None => Ok(from.to_vec()),
-    }
+    // What was stopped once stays stopped.
+    control.check()?;
+    Ok(if values.iter().all(|value| value.is_finite()) { values } else { from.to_vec() })
 }

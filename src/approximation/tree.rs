@@ -8,12 +8,13 @@ use super::exactly::ExactForm;
 use crate::algebra::{FieldElement, Integer};
 use crate::algebra::{Magnitude, fixed, magnitude};
 use crate::certificate::Tree;
-use crate::elimination::{Control, Interrupted};
+use crate::control::{Control, Interrupted};
 
 /// Why there is no tree.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub enum NoTree {
     /// At this point (u, v) the form does not have the sign, exactly.
+    #[error("the form does not have the sign at a point")]
     Fails {
         /// The point.
         at: Box<[BigRational; 2]>,
@@ -21,11 +22,14 @@ pub enum NoTree {
         zero: bool,
     },
     /// Around this point it comes so near to 0 that no box shows the sign.
+    #[error("the form comes too near to 0")]
     Near(Box<[BigRational; 2]>),
     /// The boxes became too many.
+    #[error("the boxes became too many")]
     TooMany,
     /// Interrupted.
-    Interrupted(Interrupted),
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }
 
 /// The sign that all coefficients are to show.
@@ -60,15 +64,13 @@ pub(super) fn tree(
     bits: u32,
     shown: Shown,
     at_most: usize,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Grown, NoTree> {
     let values = form.coefficients.iter().map(|value| fixed(value, bits)).collect();
     let mut open = vec![Part::whole([Coefficients { bidegree: form.bidegree, values }])];
     let mut grown = Grown { tree: Tree::new(), least: 0 };
     while let Some(part) = open.pop() {
-        if grown.tree.len().is_multiple_of(64) {
-            control.check().map_err(NoTree::Interrupted)?;
-        }
+        control.check()?;
         if shows(form, bits, shown, &part, &mut grown.least, control)? {
             grown.tree.push(false);
             continue;
@@ -91,7 +93,7 @@ fn shows(
     shown: Shown,
     part: &Part<1>,
     least: &mut i64,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<bool, NoTree> {
     let [rounded] = &part.forms;
     let certain = |value: &Integer| (value.bits() > u64::from(NOISE) + 1).then(|| of_rounded(value, bits));
@@ -120,7 +122,7 @@ fn shows(
         if corners.contains(&place) {
             continue;
         }
-        control.check().map_err(NoTree::Interrupted)?;
+        control.check()?;
         if fails(form.on_box(part, place)) {
             let [low, high] = [part.place(0), part.place(3)];
             let two = BigRational::from_integer(2.into());
@@ -143,7 +145,7 @@ pub(super) fn positive(
     form: &ExactForm,
     at_most: usize,
     simple: &dyn Fn(&[BigRational; 2]) -> Vec<[BigRational; 2]>,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Grown, NoTree> {
     let sizes = form.coefficients.iter().filter_map(magnitude).map(|size| size.exponent);
     let below = u32::try_from(-sizes.min().unwrap_or(0)).unwrap_or(0);
@@ -152,7 +154,7 @@ pub(super) fn positive(
         match tree(form, (BITS + below) << doublings, Shown::Positive, at_most, control) {
             Err(NoTree::Near(near)) => {
                 for point in simple(&near) {
-                    control.check().map_err(NoTree::Interrupted)?;
+                    control.check()?;
                     match magnitude(&form.at(&point)) {
                         Some(Magnitude { negative: false, .. }) => {}
                         found => return Err(NoTree::Fails { at: Box::new(point), zero: found.is_none() }),
@@ -174,7 +176,7 @@ pub fn positive_tree(
     bidegree: (usize, usize),
     coefficients: Vec<FieldElement>,
     at_most: usize,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Tree, NoTree> {
     let field = coefficients[0].field();
     let form = ExactForm::new(field, bidegree, coefficients);

@@ -16,13 +16,14 @@ use super::chart::{Inequality, Region, SideForm, inequalities};
 use super::enclosure::quantity_of;
 use super::extremes::Place;
 use super::normal::{Normal, power as power_of_two};
+use super::progress::Progress;
 use crate::algebra::Integer;
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{
     Argument, Certificate, Odds, Quantity, Region as Node, Side, Units, Unreachable, decimal_value,
 };
-use crate::checker::{CheckError, Theorem, check_read};
-use crate::elimination::{Control, Interrupted, Progress};
+use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::control::{Control, Interrupted};
 use crate::exact::{self, Limit, Work};
 use crate::prove::field_of;
 use crate::statement::{Patch, Statement};
@@ -51,8 +52,8 @@ pub enum UnreachableError {
     #[error("the boxes became too many: {0}, in chart {1}")]
     TooMany(usize, usize),
     /// Interrupted.
-    #[error("{0}")]
-    Interrupted(Interrupted),
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
     /// A limit of the format.
     #[error("{0}")]
     Limit(#[from] Limit),
@@ -85,7 +86,7 @@ pub fn exclude(
     between: [Units; 2],
     places: u32,
     extremes: &[Place],
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Barrier, UnreachableError> {
     let unknowns = statement.unknowns().len();
     let quantity =
@@ -117,8 +118,9 @@ pub fn exclude(
         charts,
     };
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Unreachable(argument) };
-    let theorem = check_read(statement, &certificate).map_err(|error| match error.limit() {
-        Some(limit) => UnreachableError::Limit(limit.clone()),
+    let checked = check_read_within(statement, &certificate, &mut control.work());
+    let theorem = checked.map_err(|error| match error.limit() {
+        Some(limit) => control.unless_stopped(UnreachableError::Limit(limit.clone())),
         None => UnreachableError::Refused(error),
     })?;
     Ok(Barrier { boxes, half_width, certificate, theorem })
@@ -228,12 +230,12 @@ fn cover(
     whole: Region,
     chart: usize,
     boxes: &mut usize,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<Node>, UnreachableError> {
     let mut open = vec![(whole, 0usize)];
     let mut nodes = Vec::new();
     while let Some((region, depth)) = open.pop() {
-        control.check().map_err(UnreachableError::Interrupted)?;
+        control.check()?;
         if let Some(mut sum) = excluded(inequalities, &region) {
             units.undone(&mut sum);
             nodes.push(Node::Excluded(sum));

@@ -27,6 +27,8 @@ pub struct Finding {
     pub relations: Vec<Relation>,
     /// The fewest changes of single signs, numbers, roots, exponents or names that make it right.
     pub corrections: Vec<Correction>,
+    /// Whether the search for these came to its end: if not, there may be some, or fewer.
+    pub searched: bool,
 }
 
 /// One power product with different coefficients, all constants of K.
@@ -71,33 +73,46 @@ pub(super) struct Printed<'a> {
     pub text: &'a str,
 }
 
-/// Compares a printed formula with the true coefficient. `others` are the labels of the listing; explanations are
-/// looked for as long as the work allowed for them lasts.
+/// Compares a printed formula with the true coefficient; nothing is explained yet.
 pub(super) fn compare(
-    printed: Printed<'_>,
+    printed: &Printed<'_>,
+    targets: &Targets,
+    field: &Radicands,
+    work: &mut Work,
+) -> Result<Finding, Limit> {
+    let truth = targets.value(printed.target).cloned().unwrap_or_default();
+    let differences = differences(&printed.value, &truth, field, work)?;
+    Ok(Finding {
+        label: printed.label.clone(),
+        place: printed.place.clone(),
+        target: printed.target,
+        printed: printed.value.clone(),
+        truth,
+        searched: differences.is_empty(),
+        differences,
+        relations: Vec::new(),
+        corrections: Vec::new(),
+    })
+}
+
+/// Looks for what explains a difference, as long as the work allowed for it lasts. `others` are the labels of the listing.
+pub(super) fn explain(
+    finding: &mut Finding,
+    printed: &Printed<'_>,
     targets: &Targets,
     others: &[(Symbol, Target)],
     scope: &Scope,
     explaining: &mut Work,
-) -> Result<Finding, Limit> {
-    let truth = targets.value(printed.target).cloned().unwrap_or_default();
-    let mut work = Work::full();
-    let differences = differences(&printed.value, &truth, &scope.field, &mut work)?;
-    let (mut relations, mut fixes) = (Vec::new(), Vec::new());
-    if !differences.is_empty() {
-        relations = self::relations(&printed, &truth, targets, others, &scope.field, &mut work)?;
-        fixes = corrections(printed.expression, printed.text, &truth, scope, explaining);
+) {
+    if finding.agrees() {
+        return;
     }
-    Ok(Finding {
-        label: printed.label.clone(),
-        place: printed.place,
-        target: printed.target,
-        printed: printed.value,
-        truth,
-        differences,
-        relations,
-        corrections: fixes,
-    })
+    let Ok(relations) = relations(printed, &finding.truth, targets, others, &scope.field, explaining) else {
+        return;
+    };
+    finding.relations = relations;
+    let found = corrections(printed.expression, printed.text, &finding.truth, scope, explaining);
+    (finding.corrections, finding.searched) = found;
 }
 
 /// The constants in front of each power product.

@@ -102,24 +102,26 @@ struct Candidate {
     free: Option<(BigRational, bool)>,
 }
 
-/// The cheapest correction, or nothing.
+/// The cheapest correction that is found, or nothing; and whether the search came to its end.
 pub(super) fn corrections(
     printed: &Expression,
     text: &str,
     truth: &Polynomial,
     scope: &Scope,
     work: &mut Work,
-) -> Vec<Correction> {
+) -> (Vec<Correction>, bool) {
     let search = Search { printed, scope, truth };
-    let Some(candidates) = search.candidates(work) else { return Vec::new() };
-    let Some(value) = search.value(printed, work) else { return Vec::new() };
+    let Some(candidates) = search.candidates(work) else { return (Vec::new(), false) };
+    let Some(value) = search.value(printed, work) else { return (Vec::new(), false) };
     let missing = difference(&effect_of(truth), &effect_of(&value));
     let mut best: Option<(usize, Vec<(usize, Change)>)> = None;
     let mut tries = TRIES;
     search.extend(&candidates, &missing, &mut Vec::new(), &mut best, &mut tries, work);
+    let searched = tries > 0;
     let changes = best.map_or(Vec::new(), |(_, changes)| changes);
     let place = |site: usize| Place::of(text, site_span(printed, site));
-    changes.into_iter().map(|(site, change)| Correction { place: place(site), change }).collect()
+    let found = changes.into_iter().map(|(site, change)| Correction { place: place(site), change });
+    (found.collect(), searched)
 }
 
 fn site_span(printed: &Expression, index: usize) -> Range<usize> {
@@ -254,6 +256,7 @@ impl Search<'_> {
             let Some(amount) = candidate.effect.get(first) else { continue };
             let terms = (candidate.effect.len() + missing.len()) as u64;
             if work.charge(terms.saturating_mul(300)).is_err() {
+                *tries = 0;
                 return;
             }
             if *tries == 0 || chosen.iter().any(|(site, _)| *site == candidate.site) {

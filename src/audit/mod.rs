@@ -20,10 +20,11 @@ pub use decimal::decimal;
 pub use phrase::{Phrase, Piece};
 pub use targets::{Target, Targets};
 
-use compare::{Printed, compare};
+use compare::{Printed, compare, explain};
 
-use crate::elimination::{Control, Interrupted};
+use crate::control::{Control, Interrupted};
 use crate::exact::{Limit, Stop, Work};
+use crate::expand::ExpansionError;
 use crate::listing::{Listing, ListingError, ListingFault, Meaning, Scope, Symbol};
 use crate::statement::{Place, Statement};
 
@@ -41,7 +42,25 @@ pub struct Audit {
     pub claims: Vec<ClaimVerdict>,
     /// How many coefficients or equations the statement has, those that are zero among them.
     pub equations: usize,
+    /// How many coefficients and claims are printed; if the work was stopped, not all of them were judged.
+    pub printed: [usize; 2],
+    /// What cut the work short, if anything did: judgements that had not been made are missing, and explanations.
+    pub stopped: Option<Interrupted>,
 }
+
+/// What an audit comes to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// Everything printed was judged, and nothing is wrong.
+    Agrees,
+    /// Something printed is wrong.
+    Differs,
+    /// Nothing is known to be wrong, but not everything was judged.
+    Undecided,
+}
+
+/// Units of work for the explanations of all differences of a listing: what is found at all is found with much less.
+const EXPLAINING: u64 = 400_000_000;
 
 /// Why there is no audit.
 #[derive(Debug, thiserror::Error)]
@@ -61,30 +80,47 @@ pub enum AuditError {
     TooLarge(Stop),
     /// Stopped by the user or by the clock.
     #[error("stopped: {0}")]
-    Interrupted(Interrupted),
+    Interrupted(#[from] Interrupted),
 }
 
-impl From<Interrupted> for AuditError {
-    fn from(why: Interrupted) -> Self {
-        AuditError::Interrupted(why)
+impl From<ExpansionError> for AuditError {
+    fn from(error: ExpansionError) -> Self {
+        match error {
+            ExpansionError::Limit(limit) => AuditError::Limit(limit),
+            ExpansionError::Interrupted(why) => AuditError::Interrupted(why),
+        }
     }
 }
 
 impl Audit {
-    /// Whether every coefficient agrees and no claim fails.
-    pub fn agrees(&self) -> bool {
-        self.findings.iter().all(Finding::agrees)
-            && self.claims.iter().all(|claim| claim.judgement != Judgement::Fails)
+    /// One difference or one claim that fails is enough to differ; to agree, everything must have been judged.
+    pub fn verdict(&self) -> Verdict {
+        let wrong = self.findings.iter().any(|finding| !finding.agrees())
+            || self.claims.iter().any(|claim| claim.judgement == Judgement::Fails);
+        if wrong {
+            Verdict::Differs
+        } else if self.printed == [self.findings.len(), self.claims.len()] {
+            Verdict::Agrees
+        } else {
+            Verdict::Undecided
+        }
     }
 
-    /// Holds a listing against a statement.
+    /// Whether every coefficient agrees and no claim fails.
+    pub fn agrees(&self) -> bool {
+        self.verdict() == Verdict::Agrees
+    }
+
+    /// Holds a listing against a statement. What is known when the work is stopped is kept.
     ///
     /// # Errors
-    /// [`AuditError`] where a name or a label means nothing in the statement.
-    pub fn of(listing: &Listing, statement: &Statement, control: &Control<'_>) -> Result<Self, AuditError> {
-        crate::checker::Equations::of(statement, &mut Work::full()).map_err(AuditError::TooLarge)?;
+    /// [`AuditError`] where a name or a label means nothing in the statement, or where the work is stopped before anything
+    /// was judged.
+    pub fn of(listing: &Listing, statement: &Statement, control: &Control) -> Result<Self, AuditError> {
+        crate::checker::Equations::of(statement, &mut control.work())
+            .map_err(|stop| control.unless_stopped(AuditError::TooLarge(stop)))?;
         control.check()?;
-        let targets = Targets::of(statement, &listing.labels, listing.basis)?;
+        let targets = Targets::of(statement, &listing.labels, listing.basis, control)?;
         // Nothing is all there is to list of a patch on its surface, and of no other.
         if listing.formulas.is_empty() && listing.claims.is_empty() && !targets.vanish() {
             let start = 0..listing.text.len().min(1);
@@ -97,9 +133,10 @@ impl Audit {
         let scope = scope(listing, statement)?;
         let mut named: Vec<(Symbol, Target)> = Vec::new();
         let mut printed = Vec::new();
-        let mut reading = Work::full();
+        let mut reading = control.work();
         for formula in &listing.formulas {
-            let value = formula.expression.value(&listing.text, &scope, &mut reading)?;
+            let value = formula.expression.value(&listing.text, &scope, &mut reading);
+            let value = value.map_err(|error| control.unless_stopped(AuditError::from(error)))?;
             for (label, span) in &formula.labels {
                 let fault = |fault: ListingFault| ListingError {
                     place: Place::of(&listing.text, span.clone()),
@@ -125,20 +162,49 @@ impl Audit {
                 });
             }
         }
-        let mut explaining = Work::full();
-        let mut findings = Vec::with_capacity(printed.len());
+        let mut audit = Audit {
+            findings: Vec::with_capacity(printed.len()),
+            unlisted: unlisted(&targets, &named),
+            claims: Vec::new(),
+            equations: targets.count(),
+            printed: [printed.len(), listing.claims.len()],
+            stopped: None,
+        };
+        let case = (statement, &targets, &scope, listing);
+        match audit.complete(&printed, &named, case, control) {
+            Ok(()) => Ok(audit),
+            Err(AuditError::Interrupted(why)) if !audit.findings.is_empty() || !audit.claims.is_empty() => {
+                Ok(Audit { stopped: Some(why), ..audit })
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// First all differences, which are the verdict; then the claims; then what may explain the differences.
+    fn complete(
+        &mut self,
+        printed: &[Printed<'_>],
+        named: &[(Symbol, Target)],
+        (statement, targets, scope, listing): (&Statement, &Targets, &Scope, &Listing),
+        control: &Control,
+    ) -> Result<(), AuditError> {
         for printed in printed {
             control.check()?;
-            findings.push(compare(printed, &targets, &named, &scope, &mut explaining)?);
+            let finding = compare(printed, targets, &scope.field, &mut control.work());
+            self.findings.push(finding.map_err(|limit| control.unless_stopped(AuditError::from(limit)))?);
         }
-        let unlisted = unlisted(&targets, &named);
-        let case = claims::Case { statement, targets: &targets, findings: &findings, scope: &scope, listing };
-        let mut judged = Vec::new();
         for claim in &listing.claims {
             control.check()?;
-            judged.push(claims::judge(claim, &case, control)?);
+            let case = claims::Case { statement, targets, findings: &self.findings, scope, listing };
+            let judged = claims::judge(claim, &case, control);
+            self.claims.push(judged.map_err(|error| control.unless_stopped(error))?);
         }
-        Ok(Audit { findings, unlisted, claims: judged, equations: targets.count() })
+        let mut explaining = control.work().at_most(EXPLAINING);
+        for (finding, printed) in self.findings.iter_mut().zip(printed) {
+            control.check()?;
+            explain(finding, printed, targets, named, scope, &mut explaining);
+        }
+        Ok(control.check()?)
     }
 }
 

@@ -1,7 +1,8 @@
 //! Which coefficient a label names.
 
-use crate::exact::{Limit, Polynomial};
-use crate::expand::{Basis, Coefficient, coefficients};
+use crate::control::Control;
+use crate::exact::Polynomial;
+use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_within};
 use crate::listing::Symbol;
 use crate::statement::{Statement, Subject};
 
@@ -33,10 +34,15 @@ impl Targets {
     /// The targets of a statement, for labels that are mapped like this or speak for themselves.
     ///
     /// # Errors
-    /// Where a coefficient exceeds what the formats allow.
-    pub fn of(statement: &Statement, labels: &[(Symbol, Vec<u32>)], basis: Basis) -> Result<Self, Limit> {
-        let monomial = coefficients(statement, Basis::Monomial)?.unwrap_or_default();
-        let bernstein = coefficients(statement, Basis::Bernstein)?.unwrap_or_default();
+    /// [`ExpansionError`]
+    pub fn of(
+        statement: &Statement,
+        labels: &[(Symbol, Vec<u32>)],
+        basis: Basis,
+        control: &Control,
+    ) -> Result<Self, ExpansionError> {
+        let of = |basis| coefficients_within(statement, basis, control).map(Option::unwrap_or_default);
+        let (monomial, bernstein) = (of(Basis::Monomial)?, of(Basis::Bernstein)?);
         let equations = match statement.subject() {
             Subject::System(polynomials) => polynomials.clone(),
             Subject::Patch(_) => Vec::new(),

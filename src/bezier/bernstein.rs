@@ -2,7 +2,8 @@
 
 use itertools::iproduct;
 
-use crate::algebra::{FieldElement, Integer, Monomial, MultiquadraticField, Polynomial};
+use crate::algebra::{FieldElement, Integer, MultiquadraticField, Polynomial};
+use crate::control::{Control, Interrupted};
 
 /// Σ `c[r,s]` uʳ(1−u)^(m−r) vˢ(1−v)^(n−s), r = 0..m, s = 0..n, with polynomials in the unknowns for `c[r,s]`.
 ///
@@ -74,17 +75,26 @@ impl BernsteinForm {
 
     /// The product: `c[r,s]` = Σ `a[i,j]`·`b[r−i,s−j]`.
     pub fn multiply(&self, other: &Self) -> Self {
+        self.multiply_within(other, &Control::default()).expect("nobody stops it")
+    }
+
+    /// The same, where it may be stopped.
+    ///
+    /// # Errors
+    /// [`Control::check`]
+    pub fn multiply_within(&self, other: &Self, control: &Control) -> Result<Self, Interrupted> {
         let bidegree = (self.bidegree.0 + other.bidegree.0, self.bidegree.1 + other.bidegree.1);
         let mut product = BernsteinForm { field: self.field, bidegree, scaled: Vec::new() };
-        let mut terms: Vec<Vec<(Monomial, FieldElement)>> =
+        let mut pairs: Vec<Vec<(&Polynomial, &Polynomial)>> =
             vec![Vec::new(); ((bidegree.0 + 1) * (bidegree.1 + 1)) as usize];
         for (i, j, a) in self.coefficients().filter(|(_, _, a)| !a.is_zero()) {
             for (k, l, b) in other.coefficients().filter(|(_, _, b)| !b.is_zero()) {
-                terms[product.index(i + k, j + l)].extend(a.multiply(b).terms().iter().cloned());
+                pairs[product.index(i + k, j + l)].push((a, b));
             }
         }
-        product.scaled = terms.into_iter().map(|terms| Polynomial::from_terms(self.field, terms)).collect();
-        product
+        let sums = pairs.into_iter().map(|pairs| Polynomial::sum_of_products(self.field, pairs, control));
+        product.scaled = sums.collect::<Result<_, _>>()?;
+        Ok(product)
     }
 
     /// The sum of two forms of the same bidegree.
@@ -98,16 +108,28 @@ impl BernsteinForm {
     ///
     /// uʳ(1−u)^(m−r) = Σ (−1)^(k−r) C(m−r, k−r) uᵏ, and likewise in v.
     pub fn to_monomial_basis(&self) -> Vec<(u32, u32, Polynomial)> {
+        self.to_monomial_basis_within(&Control::default()).expect("nobody stops it")
+    }
+
+    /// The same, where it may be stopped.
+    ///
+    /// # Errors
+    /// [`Control::check`]
+    pub fn to_monomial_basis_within(
+        &self,
+        control: &Control,
+    ) -> Result<Vec<(u32, u32, Polynomial)>, Interrupted> {
         let (m, n) = self.bidegree;
         let entry = |(k, l): (u32, u32)| {
             let mut terms = Vec::new();
             for (r, s) in iproduct!(0..=k, 0..=l) {
+                control.check()?;
                 let size = &binomial(m - r, k - r) * &binomial(n - s, l - s);
                 let signed = if (k - r + l - s) % 2 == 0 { size } else { -&size };
                 let factor = self.field.rational(signed, Integer::one());
                 terms.extend(self.coefficient(r, s).scaled(&factor).terms().iter().cloned());
             }
-            (k, l, Polynomial::from_terms(self.field, terms))
+            Ok((k, l, Polynomial::from_terms(self.field, terms)))
         };
         iproduct!(0..=m, 0..=n).map(entry).collect()
     }

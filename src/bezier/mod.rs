@@ -8,4 +8,4 @@ mod surface_condition;
 pub use arc::RationalArc;
 pub use bernstein::{BernsteinForm, binomial, value_at};
 pub use image::{Image, image};
-pub use surface_condition::surface_condition;
+pub use surface_condition::{surface_condition, surface_condition_within};

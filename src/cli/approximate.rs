@@ -9,8 +9,8 @@ use num_traits::ToPrimitive;
 
 use super::arguments::{Format, to_json};
 use super::bound::{degree_of, undecided};
-use super::control::{Limits, under_control};
-use super::files::{sealed_name, write_and_check};
+use super::control::{Limits, controlled};
+use super::files::{Unchecked, sealed_name, write_and_check};
 use super::outcome::{Failure, Outcome, Status};
 use super::plot::PlotOptions;
 use super::source::Source;
@@ -20,7 +20,7 @@ use crate::approximation::{
     error_of, exclude,
 };
 use crate::certificate::Quantity;
-use crate::elimination::{Control, Interrupted};
+use crate::control::{Control, Interrupted};
 use crate::report::Files;
 use crate::report::bounds::{
     Gap, barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, error_value, symbol,
@@ -109,7 +109,7 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
         places: options.tolerance,
         seed: options.seed,
     };
-    let found = under_control(&options.limits, |control| {
+    let found = controlled(&options.limits, |control| {
         let found = approximate(&source.statement, &search, control)?;
         let barrier = options.prove_best.then(|| barrier(&source, &found, control));
         Ok::<_, ApproximationError>((found, barrier))
@@ -130,7 +130,12 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
     };
     let write = |kind: &str, certificate: &crate::certificate::Certificate| {
         let text = certificate.write(&source.statement.ring());
-        write_and_check(&source, options.output.as_deref(), &text, &sealed_name(kind, &text))
+        let name = sealed_name(kind, &text);
+        match write_and_check(&source, options.output.as_deref(), (&text, &name), &Control::default()) {
+            Ok(files) => Ok(files),
+            Err(Unchecked::Failure(failure)) => Err(failure),
+            Err(Unchecked::Stopped(why, _)) => Err(Failure::of(why)),
+        }
     };
     let files = write("bounds", &found.enclosure.certificate)?;
     let symbol = symbol(found.enclosure.bounds.quantity, degree);
@@ -141,7 +146,7 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
         }
         None => format!("best found for: {}", options.goal(&symbol)),
     };
-    let picture = options.plot.draw(&source, degree, &found.enclosure, Some(&about))?;
+    let picture = options.plot.draw(&source, degree, &found.enclosure, Some(&about), &Control::default())?;
     let barrier =
         barrier.map(|barrier| Ok((write("unreachable", &barrier.certificate)?, barrier))).transpose()?;
     let status = if open.is_some() { Status::Undecided } else { Status::Established };
@@ -166,7 +171,7 @@ fn stopped(
             "verdict": "UNDECIDED",
             "name": name,
             "reason": why.to_string(),
-            "stopped": stopped_by(why),
+            "stopped": stopped_by(why.why),
             "best_found": best.map(|best| best_so_far_data(statement, best)),
         }))?,
         _ => {
@@ -197,11 +202,7 @@ impl ApproximateOptions {
 }
 
 /// Bounds a millionth tighter than what was found, which no values reach.
-fn barrier(
-    source: &Source,
-    found: &Approximation,
-    control: &Control<'_>,
-) -> Result<Barrier, UnreachableError> {
+fn barrier(source: &Source, found: &Approximation, control: &Control) -> Result<Barrier, UnreachableError> {
     let error = found.extremes.iter().map(|place| place.value.abs()).fold(0.0, f64::max);
     let places = (-error.log10()).ceil().max(0.0) as u32 + DIGITS;
     let unit = BigInt::from(10).pow(places);
@@ -317,7 +318,7 @@ impl Answer<'_> {
         if let Some(why) = &self.open {
             data["open"] = why.to_string().into();
             if let UnreachableError::Interrupted(why) = why {
-                data["stopped"] = stopped_by(*why).into();
+                data["stopped"] = stopped_by(why.why).into();
             }
         }
         data

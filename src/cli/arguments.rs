@@ -1,5 +1,6 @@
 //! The command line of the full build.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -125,17 +126,38 @@ pub(super) fn to_json(data: &impl serde::Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(data).map(|text| text + "\n").map_err(Failure::of)
 }
 
-/// Carries out the command line.
+/// Carries out the command line. Where data was asked for, an error is data too.
 pub fn run() -> Result<Outcome, Failure> {
-    let line = match CommandLine::try_parse() {
-        Ok(line) => line,
+    let (format, outcome) = match CommandLine::try_parse() {
+        Ok(line) => (line.format, carried_out(line)),
         // --help and --version arrive as errors that go to stdout.
         Err(error) if !error.use_stderr() => return Ok(Outcome::plain(error.render().to_string())),
         Err(error) => {
             let message = error.render().to_string();
-            return Err(Failure(message.trim_start_matches("error: ").to_owned()));
+            (
+                format_of_words(std::env::args_os()),
+                Err(Failure(message.trim_start_matches("error: ").to_owned())),
+            )
         }
     };
+    match (format, outcome) {
+        (Format::Json, Err(Failure(message))) => {
+            let data = serde_json::json!({ "verdict": "ERROR", "reason": message.trim_end() });
+            Ok(Outcome { text: to_json(&data)?, status: Status::Failed })
+        }
+        (_, outcome) => outcome,
+    }
+}
+
+/// The format of a command line that could not be read otherwise.
+fn format_of_words(words: impl Iterator<Item = OsString>) -> Format {
+    let words: Vec<OsString> = words.collect();
+    let json = words.iter().any(|word| word == "--format=json")
+        || words.windows(2).any(|pair| pair[0] == "--format" && pair[1] == "json");
+    if json { Format::Json } else { Format::Text }
+}
+
+fn carried_out(line: CommandLine) -> Result<Outcome, Failure> {
     let format = line.format;
     if format == Format::Latex && !matches!(line.command, Some(Command::Audit(_))) {
         return Err(Failure("--format latex is for audit; the other commands have text and json".to_owned()));

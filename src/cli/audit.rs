@@ -10,9 +10,11 @@ use super::control::{Limits, under_control};
 use super::outcome::{Failure, Outcome, Status};
 use super::source::{JSON_BYTES, Source};
 use crate::audit::net::{Convention, NetAudit, PrintedNet, from_json, from_matlab};
-use crate::audit::{Audit, AuditError, PAPER};
+use crate::audit::{Audit, AuditError, PAPER, Verdict};
+use crate::control::Control;
 use crate::exact::Ring;
 use crate::listing::{LISTING_BYTES, Listing, Notation, decode, in_statement_language, is_expansion, is_net};
+use crate::report::stopped::stopped_by;
 use crate::report::{audit_data, describe_audit, describe_net, latex, net_data};
 use crate::statement::COORDINATES;
 
@@ -75,15 +77,20 @@ enum Printed {
 }
 
 pub(super) fn run(options: &AuditOptions, format: Format) -> Result<Outcome, Failure> {
+    let name = place(options);
+    under_control(&options.limits, (&name, format), |control| carried_out(options, format, control))
+}
+
+fn carried_out(options: &AuditOptions, format: Format, control: &Control) -> Result<Outcome, Failure> {
     let printed = match &options.file {
         None => Printed::Listing(Box::new(Listing::from_toml(PAPER).map_err(Failure::of)?), None),
         Some(file) => read(file, options)?,
     };
     match printed {
         Printed::Listing(listing, source) => {
-            audit_listing(*listing, source.map(|source| *source), options, format)
+            audit_listing(*listing, source.map(|source| *source), options, (format, control))
         }
-        Printed::Net(net) => audit_net(net, options, format),
+        Printed::Net(net) => audit_net(net, options, (format, control)),
     }
 }
 
@@ -92,18 +99,19 @@ fn place(options: &AuditOptions) -> String {
 }
 
 /// An audit that was interrupted, or that the checker cannot follow, has no verdict; any other error is one.
-fn stopped(options: &AuditOptions, error: AuditError) -> Result<Outcome, Failure> {
-    match error {
-        AuditError::Interrupted(why) => {
-            let text = format!("UNDECIDED  the audit was stopped: {why}\n");
-            Ok(Outcome { text, status: Status::Undecided })
-        }
-        error @ AuditError::TooLarge(_) => {
-            let text = format!("UNDECIDED  {}: {error}\n", place(options));
-            Ok(Outcome { text, status: Status::Undecided })
-        }
-        other => Err(failure(options, &other)),
-    }
+fn stopped(options: &AuditOptions, error: AuditError, format: Format) -> Result<Outcome, Failure> {
+    let (reason, why) = match error {
+        AuditError::Interrupted(why) => (format!("the audit was stopped: {why}"), Some(stopped_by(why.why))),
+        error @ AuditError::TooLarge(_) => (format!("{}: {error}", place(options)), None),
+        other => return Err(failure(options, &other)),
+    };
+    let text = match format {
+        Format::Json => to_json(
+            &serde_json::json!({ "verdict": "UNDECIDED", "name": place(options), "reason": reason, "stopped": why }),
+        )?,
+        Format::Text | Format::Latex => format!("UNDECIDED  {reason}\n"),
+    };
+    Ok(Outcome { text, status: Status::Undecided })
 }
 
 fn failure(options: &AuditOptions, error: &AuditError) -> Failure {
@@ -115,7 +123,7 @@ fn audit_listing(
     mut listing: Listing,
     own: Option<Source>,
     options: &AuditOptions,
-    format: Format,
+    (format, control): (Format, &Control),
 ) -> Result<Outcome, Failure> {
     if options.convention.is_some() || options.surface.is_some() {
         return Err(Failure(
@@ -135,7 +143,7 @@ fn audit_listing(
         Some(beside.filter(|path| path.is_file()).unwrap_or_else(|| PathBuf::from(name)))
     });
     let source = match (named, own) {
-        (Some(named), _) => Source::find(&named)?,
+        (Some(named), _) => Source::find_within(&named, control)?,
         (None, Some(own)) => own,
         (None, None) => {
             return Err(Failure(
@@ -144,20 +152,23 @@ fn audit_listing(
             ));
         }
     };
-    let audit = under_control(&options.limits, |control| Audit::of(&listing, &source.statement, control))?;
-    let audit = match audit {
+    let audit = match Audit::of(&listing, &source.statement, control) {
         Ok(audit) => audit,
-        Err(error) => return stopped(options, error),
+        Err(error) => return stopped(options, error, format),
     };
     let text = match format {
         Format::Text => describe_audit(&listing, &source.name, &source.statement, &audit),
         Format::Json => to_json(&audit_data(&listing, &source.name, &source.statement, &audit))?,
         Format::Latex => latex::audit(&listing, &source.name, &source.statement, &audit),
     };
-    Ok(Outcome { text, status: status(audit.agrees()) })
+    Ok(Outcome { text, status: status(audit.verdict()) })
 }
 
-fn audit_net(mut net: PrintedNet, options: &AuditOptions, format: Format) -> Result<Outcome, Failure> {
+fn audit_net(
+    mut net: PrintedNet,
+    options: &AuditOptions,
+    (format, control): (Format, &Control),
+) -> Result<Outcome, Failure> {
     if options.statement.is_some() || !options.names.is_empty() || !options.labels.is_empty() {
         return Err(Failure(
             "--statement, --name and --label are for listings of formulas; this is a net".to_owned(),
@@ -169,20 +180,24 @@ fn audit_net(mut net: PrintedNet, options: &AuditOptions, format: Format) -> Res
         let surface = surface.map_err(|error| Failure(format!("--surface: {}", error.fault)))?;
         net.surface = Some(surface.into_owned());
     }
-    let audit = match under_control(&options.limits, |control| NetAudit::of(&net, control))? {
+    let audit = match NetAudit::of(&net, control) {
         Ok(audit) => audit,
-        Err(error) => return stopped(options, error),
+        Err(error) => return stopped(options, error, format),
     };
     let text = match format {
         Format::Text => describe_net(&net, &audit).map_err(Failure::of)?,
         Format::Json => to_json(&net_data(&net, &audit))?,
         Format::Latex => return Err(Failure("--format latex is for listings of formulas".to_owned())),
     };
-    Ok(Outcome { text, status: status(audit.agrees) })
+    Ok(Outcome { text, status: if audit.agrees { Status::Established } else { Status::Wrong } })
 }
 
-fn status(agrees: bool) -> Status {
-    if agrees { Status::Established } else { Status::Wrong }
+fn status(verdict: Verdict) -> Status {
+    match verdict {
+        Verdict::Agrees => Status::Established,
+        Verdict::Differs => Status::Wrong,
+        Verdict::Undecided => Status::Undecided,
+    }
 }
 
 fn read(file: &Path, options: &AuditOptions) -> Result<Printed, Failure> {

@@ -12,9 +12,11 @@ use super::plot::PlotOptions;
 use super::source::Source;
 use super::values::{interval, tolerance, values};
 use crate::approximation::{EnclosureError, EndVerdict, Finding, enclose, judge};
+use crate::control::Control;
 use crate::report::bounds::{
     checked_text, enclosure_data, enclosure_details, enclosure_text, symbol, verdict_data, verdict_text,
 };
+use crate::report::stopped::stopped_by;
 use crate::report::surface_equation;
 use crate::statement::{Statement, Subject};
 
@@ -42,20 +44,27 @@ pub(super) struct BoundOptions {
 }
 
 pub(super) fn run(options: &BoundOptions, format: Format) -> Result<Outcome, Failure> {
-    let source = Source::find(&options.source)?;
+    let name = options.source.to_string_lossy();
+    under_control(&options.limits, (&name, format), |control| carried_out(options, format, control))
+}
+
+fn carried_out(options: &BoundOptions, format: Format, control: &Control) -> Result<Outcome, Failure> {
+    let source = Source::find_within(&options.source, control)?;
     let statement = &source.statement;
     let degree = degree_of(statement)?;
     let values = values(statement, &options.set)?;
-    let enclosed =
-        under_control(&options.limits, |control| enclose(statement, &values, options.tolerance, control))?;
-    let enclosure = match enclosed {
+    let enclosure = match enclose(statement, &values, options.tolerance, control) {
         Ok(enclosure) => enclosure,
         Err(error) => return undecided(&source.name, &error, format),
     };
     let certificate = enclosure.certificate.write(&statement.ring());
     let name = sealed_name("bounds", &certificate);
-    let files = write_and_check(&source, options.output.as_deref(), &certificate, &name)?;
-    let picture = options.plot.draw(&source, degree, &enclosure, None)?;
+    let written = write_and_check(&source, options.output.as_deref(), (&certificate, &name), control);
+    let files = match written {
+        Ok(files) => files,
+        Err(unchecked) => return unchecked.outcome(&source.name, format),
+    };
+    let picture = options.plot.draw(&source, degree, &enclosure, None, control)?;
     let verdicts = options.claim.as_ref().map(|claim| judge(statement, &enclosure, claim)).transpose();
     let verdicts = verdicts.map_err(Failure::of)?;
     let fails = |verdict: &EndVerdict| matches!(verdict.finding, Finding::Fails { .. });
@@ -110,9 +119,15 @@ pub(super) fn undecided(name: &str, error: &EnclosureError, format: Format) -> R
         | EnclosureError::Unsettled { .. }
         | EnclosureError::Limit(_) => {
             let text = match format {
-                Format::Json => to_json(
-                    &serde_json::json!({ "verdict": "UNDECIDED", "name": name, "reason": error.to_string() }),
-                )?,
+                Format::Json => {
+                    let stopped = match error {
+                        EnclosureError::Interrupted(why) => Some(stopped_by(why.why)),
+                        _ => None,
+                    };
+                    to_json(&serde_json::json!({
+                        "verdict": "UNDECIDED", "name": name, "reason": error.to_string(), "stopped": stopped,
+                    }))?
+                }
                 _ => format!("UNDECIDED  {name}: {error}\n"),
             };
             Ok(Outcome { text, status: Status::Undecided })

@@ -6,16 +6,17 @@ use clap::Args;
 
 use super::arguments::{Format, to_json};
 use super::control::{Limits, under_control};
-use super::files::write_pair;
+use super::files::{Unchecked, write_pair};
 use super::outcome::{Failure, Outcome, Status};
 use super::polygon::{PolygonOptions, Shape, number_of};
 use crate::construction::{Construction, Refusal, construct, tile};
-use crate::elimination::Control;
+use crate::control::Control;
 use crate::exact::Radicands;
 use crate::report::Files;
 use crate::report::construction::{
     constructed_data, constructed_text, impossible_text, tiled_data, tiled_text,
 };
+use crate::report::stopped::stopped_by;
 
 #[derive(Debug, Args)]
 pub(super) struct ConstructOptions {
@@ -38,6 +39,10 @@ pub(super) struct ConstructOptions {
 }
 
 pub(super) fn run(options: &ConstructOptions, format: Format) -> Result<Outcome, Failure> {
+    under_control(&options.limits, ("construct", format), |control| carried_out(options, format, control))
+}
+
+fn carried_out(options: &ConstructOptions, format: Format, control: &Control) -> Result<Outcome, Failure> {
     let shape = Shape::find(&options.polygon)?;
     let bidegree = (options.bidegree[0], options.bidegree[1]);
     let centre = options.centre.as_deref().map(|text| {
@@ -47,17 +52,17 @@ pub(super) fn run(options: &ConstructOptions, format: Format) -> Result<Outcome,
     });
     let centre = centre.transpose()?;
     if options.tiling {
-        return tiling(options, &shape, bidegree, format);
+        return tiling(options, &shape, bidegree, (format, control));
     }
-    let made = under_control(&options.limits, |control| {
-        construct(&shape.polygon, &shape.name, bidegree, centre.as_ref(), control)
-    })?;
-    let made = match made {
+    let made = match construct(&shape.polygon, &shape.name, bidegree, centre.as_ref(), control) {
         Ok(made) => made,
         Err(refusal) => return refused(&shape, bidegree, refusal, format),
     };
     let directory = options.output.clone().unwrap_or_else(|| default_directory(&shape, bidegree));
-    let files = write(&directory, &made)?;
+    let files = match write(&directory, &made, control) {
+        Ok(files) => files,
+        Err(unchecked) => return unchecked.outcome(&shape.name, format),
+    };
     let text = match format {
         Format::Json => to_json(&constructed_data(&shape.name, &made, &files))?,
         _ => constructed_text(&shape.name, &shape.polygon, &made, &files).map_err(Failure::of)?,
@@ -69,11 +74,10 @@ fn tiling(
     options: &ConstructOptions,
     shape: &Shape,
     bidegree: (u32, u32),
-    format: Format,
+    (format, control): (Format, &Control),
 ) -> Result<Outcome, Failure> {
     let named = shape.named.expect("--corners excludes --tiling");
-    let tiled = match under_control(&options.limits, |control: &Control<'_>| tile(named, bidegree, control))?
-    {
+    let tiled = match tile(named, bidegree, control) {
         Ok(tiled) => tiled,
         Err(refusal) => return refused(shape, bidegree, refusal, format),
     };
@@ -82,7 +86,9 @@ fn tiling(
         directory.with_file_name(format!("tiling-{}-{}x{}", shape.name, bidegree.0, bidegree.1))
     });
     for (number, face) in (1..).zip(&tiled.faces) {
-        write(&directory.join(format!("face-{number:02}")), face)?;
+        if let Err(unchecked) = write(&directory.join(format!("face-{number:02}")), face, control) {
+            return unchecked.outcome(&shape.name, format);
+        }
     }
     let whole =
         tiled.faces.iter().all(|face| face.cover.is_ok()) && tiled.seams.iter().all(|seam| seam.meets);
@@ -98,11 +104,17 @@ fn default_directory(shape: &Shape, (m, n): (u32, u32)) -> PathBuf {
 }
 
 /// The statement with both certificates.
-pub(super) fn write(directory: &Path, made: &Construction) -> Result<Vec<Files>, Failure> {
+pub(super) fn write(
+    directory: &Path,
+    made: &Construction,
+    control: &Control,
+) -> Result<Vec<Files>, Unchecked> {
     let ring = made.statement.ring();
-    let mut files = vec![write_pair(directory, &made.text, &made.exact.0.write(&ring), "certificate.txt")?];
+    let exact = made.exact.0.write(&ring);
+    let mut files = vec![write_pair(directory, &made.text, (&exact, "certificate.txt"), control)?];
     if let Ok((certificate, _)) = &made.cover {
-        files.push(write_pair(directory, &made.text, &certificate.write(&ring), "cover.txt")?);
+        let cover = certificate.write(&ring);
+        files.push(write_pair(directory, &made.text, (&cover, "cover.txt"), control)?);
     }
     Ok(files)
 }
@@ -125,9 +137,17 @@ pub(super) fn refused(
     let text = match format {
         Format::Json => {
             let (verdict, rest) = text.split_once("  ").unwrap_or((text.as_str(), ""));
-            to_json(
-                &serde_json::json!({ "verdict": verdict, "name": shape.name, "bidegree": bidegree, "reason": rest.trim() }),
-            )?
+            let stopped = match &refusal {
+                Refusal::Interrupted(why) => Some(stopped_by(why.why)),
+                _ => None,
+            };
+            to_json(&serde_json::json!({
+                "verdict": verdict,
+                "name": shape.name,
+                "bidegree": bidegree,
+                "reason": rest.trim(),
+                "stopped": stopped,
+            }))?
         }
         _ => text,
     };

@@ -11,10 +11,11 @@ use super::files::write_pair;
 use super::outcome::{Failure, Outcome, Status};
 use super::polygon::{PolygonOptions, Shape};
 use crate::certificate::Certificate;
-use crate::checker::{CheckError, check_read};
+use crate::checker::{CheckError, check_read_within};
 use crate::construction::{
     Cell, Phase, Refusal, classify, closing_certificate, closing_statement, construct,
 };
+use crate::control::Control;
 use crate::report::{Backing, degrees_data, degrees_text, explain};
 use crate::statement::Statement;
 
@@ -36,15 +37,20 @@ pub(super) struct DegreesOptions {
 }
 
 /// The statement that the phase closes, and its refutation, which the checker has accepted.
-fn closing(shape: &Shape, text: &str) -> Result<(Statement, Certificate), Refusal> {
+fn closing(shape: &Shape, text: &str, control: &Control) -> Result<(Statement, Certificate), Refusal> {
     let statement = Statement::read(text).map_err(CheckError::from)?;
     let certificate = closing_certificate(&shape.polygon, &statement).map_err(Refusal::Limit)?;
     let certificate = certificate.ok_or(Refusal::NoneFound)?;
-    check_read(&statement, &certificate)?;
+    check_read_within(&statement, &certificate, &mut control.work())
+        .map_err(|error| control.unless_stopped(Refusal::from(error)))?;
     Ok((statement, certificate))
 }
 
 pub(super) fn run(options: &DegreesOptions, format: Format) -> Result<Outcome, Failure> {
+    under_control(&options.limits, ("degrees", format), |control| carried_out(options, format, control))
+}
+
+fn carried_out(options: &DegreesOptions, format: Format, control: &Control) -> Result<Outcome, Failure> {
     let shape = Shape::find(&options.polygon)?;
     if let Some(bidegree) = &options.explain {
         let text = explain(&shape.name, &shape.polygon, (bidegree[0], bidegree[1]));
@@ -63,13 +69,15 @@ pub(super) fn run(options: &DegreesOptions, format: Format) -> Result<Outcome, F
     if phase == Phase::Open {
         let title = format!("Closing condition of the quadrilateral {}", shape.name);
         let text = closing_statement(&shape.polygon, &title);
-        let (statement, certificate) = match closing(&shape, &text) {
+        let (statement, certificate) = match closing(&shape, &text, control) {
             Ok(refutation) => refutation,
             Err(refusal) => return refused(&shape, (2, 2), refusal, format),
         };
-        let certificate = certificate.write(&statement.ring());
-        backing.closing =
-            Some(write_pair(&directory.join("closing"), &text, &certificate, "certificate.txt")?);
+        let certificate = (&*certificate.write(&statement.ring()), "certificate.txt");
+        backing.closing = match write_pair(&directory.join("closing"), &text, certificate, control) {
+            Ok(files) => Some(files),
+            Err(unchecked) => return unchecked.outcome(&shape.name, format),
+        };
     }
     let bases = [(2, 2), (4, 2), (2, 4)].into_iter().filter(|base| match classify(phase, *base) {
         Cell::Exact(from) => from == *base,
@@ -77,17 +85,14 @@ pub(super) fn run(options: &DegreesOptions, format: Format) -> Result<Outcome, F
         _ => false,
     });
     let bases: Vec<(u32, u32)> = bases.filter(|(m, n)| *m.max(n) <= options.up_to).collect();
-    let made = under_control(&options.limits, |control| {
-        let make = |base: &(u32, u32)| (*base, construct(&shape.polygon, &shape.name, *base, None, control));
-        bases.iter().map(make).collect::<Vec<_>>()
-    })?;
-    for (base, made) in made {
-        match made {
-            Ok(made) => {
-                let files = write(&directory.join(format!("{}x{}", base.0, base.1)), &made)?;
-                backing.nets.push((base, made, files));
-            }
+    for base in bases {
+        let made = match construct(&shape.polygon, &shape.name, base, None, control) {
+            Ok(made) => made,
             Err(refusal) => return refused(&shape, base, refusal, format),
+        };
+        match write(&directory.join(format!("{}x{}", base.0, base.1)), &made, control) {
+            Ok(files) => backing.nets.push((base, made, files)),
+            Err(unchecked) => return unchecked.outcome(&shape.name, format),
         }
     }
     let text = match format {

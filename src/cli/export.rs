@@ -6,15 +6,17 @@ use clap::{Args, ValueEnum};
 
 use super::arguments::{Format, to_json};
 use super::check::read_limited;
-use super::control::{Limits, under_control};
+use super::control::{Limits, stopped, under_control};
 use super::files::write_atomically;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
 use crate::certificate::Certificate;
-use crate::checker::{CheckError, check_read};
-use crate::exact::{Work, limits};
+use crate::checker::{CheckError, check_read_within};
+use crate::control::Control;
+use crate::elimination::Undecided;
+use crate::exact::limits;
 use crate::export::{Case, ExportError, Target, export, pac_files};
-use crate::prove::{Attempt, prove};
+use crate::prove::{Attempt, Reason, prove};
 
 #[derive(Debug, Args)]
 pub(super) struct ExportOptions {
@@ -74,21 +76,35 @@ impl Language {
 }
 
 pub(super) fn run(options: &ExportOptions, format: Format) -> Result<Outcome, Failure> {
-    let source = Source::find(&options.source)?;
+    let name = options.source.to_string_lossy();
+    under_control(&options.limits, (&name, format), |control| carried_out(options, format, control))
+}
+
+fn carried_out(options: &ExportOptions, format: Format, control: &Control) -> Result<Outcome, Failure> {
+    let source = Source::find_within(&options.source, control)?;
     let found = match &options.certificate {
-        Some(file) => read(&source, file, options.unchecked)?,
-        None => search(&source, &options.limits)?,
+        Some(file) => read(&source, file, options.unchecked, (format, control))?,
+        None => search(&source, (format, control))?,
     };
     let certificate = match found {
         Ok(certificate) => certificate,
         Err(outcome) => return Ok(outcome),
     };
-    let unfit = |error: ExportError| Failure(format!("{}: {error}", source.name));
-    let case = Case::new(&source.statement, &certificate).map_err(unfit)?;
+    let unfit = |error: ExportError| match control.unless_stopped(error) {
+        ExportError::Interrupted(why) => stopped(&source.name, format, &why),
+        error => Err(Failure(format!("{}: {error}", source.name))),
+    };
+    let case = match Case::within(&source.statement, &certificate, control) {
+        Ok(case) => case,
+        Err(error) => return unfit(error),
+    };
     if let (Some(prefix), Language::Pac) = (&options.output, options.to) {
-        return write_pac(&source.name, prefix, &pac_files(&case).map_err(unfit)?, format);
+        return pac_files(&case).map_or_else(unfit, |files| write_pac(&source.name, prefix, &files, format));
     }
-    let text = export(&case, options.to.target()).map_err(unfit)?;
+    let text = match export(&case, options.to.target()) {
+        Ok(text) => text,
+        Err(error) => return unfit(error),
+    };
     let Some(target) = &options.output else {
         return Ok(Outcome::plain(match format {
             Format::Json => to_json(&serde_json::json!({ "name": source.name, "text": text }))?,
@@ -135,39 +151,57 @@ fn write_pac(
 }
 
 /// The certificate in a file, or what our checker has against it.
-fn read(source: &Source, file: &Path, unchecked: bool) -> Result<Result<Certificate, Outcome>, Failure> {
+fn read(
+    source: &Source,
+    file: &Path,
+    unchecked: bool,
+    (format, control): (Format, &Control),
+) -> Result<Result<Certificate, Outcome>, Failure> {
     let statement = &source.statement;
     let bytes = read_limited(file, limits::CERTIFICATE_BYTES)?;
     let unknowns = statement.unknowns().len();
-    let certificate = Certificate::read(&bytes, &statement.ring(), unknowns, &mut Work::full())
+    let certificate = Certificate::read(&bytes, &statement.ring(), unknowns, &mut control.work())
         .map_err(|error| Failure(format!("{}:{error}", file.display())))?;
     if unchecked {
         return Ok(Ok(certificate));
     }
-    match check_read(statement, &certificate) {
+    match check_read_within(statement, &certificate, &mut control.work()) {
         Ok(_) => Ok(Ok(certificate)),
-        Err(CheckError::Rejected(rejection)) => Ok(Err(Outcome {
-            text: format!(
-                "REJECTED  {}: {rejection}\nNothing is exported; --unchecked does it all the same.\n",
-                file.display()
-            ),
-            status: Status::Wrong,
-        })),
+        Err(CheckError::Rejected(rejection)) => {
+            let text = match format {
+                Format::Json => to_json(&serde_json::json!({
+                    "verdict": "REJECTED", "name": source.name, "reason": rejection.to_string(),
+                }))?,
+                _ => format!(
+                    "REJECTED  {}: {rejection}\nNothing is exported; --unchecked does it all the same.\n",
+                    file.display()
+                ),
+            };
+            Ok(Err(Outcome { text, status: Status::Wrong }))
+        }
         Err(error) => Err(Failure(format!("{}: {error}", file.display()))),
     }
 }
 
 /// The certificate that is found for the statement, or that none was.
-fn search(source: &Source, limits: &Limits) -> Result<Result<Certificate, Outcome>, Failure> {
-    let attempt = under_control(limits, |control| prove(&source.statement, control))?;
-    Ok(match attempt.map_err(Failure::of)? {
-        Attempt::Proved { certificate, .. } => Ok(certificate),
-        Attempt::Undecided(_) => Err(Outcome {
-            text: format!(
-                "UNDECIDED  {}: no proof was found to be exported; `prove-cap prove` says what was found instead\n",
-                source.name
-            ),
-            status: Status::Undecided,
-        }),
-    })
+fn search(
+    source: &Source,
+    (format, control): (Format, &Control),
+) -> Result<Result<Certificate, Outcome>, Failure> {
+    let reason = match prove(&source.statement, control).map_err(Failure::of)? {
+        Attempt::Proved { certificate, .. } => return Ok(Ok(certificate)),
+        Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why))) => {
+            return stopped(&source.name, format, &why).map(Err);
+        }
+        Attempt::Undecided(_) => {
+            "no proof was found to be exported; `prove-cap prove` says what was found instead"
+        }
+    };
+    let text = match format {
+        Format::Json => {
+            to_json(&serde_json::json!({ "verdict": "UNDECIDED", "name": source.name, "reason": reason }))?
+        }
+        _ => format!("UNDECIDED  {}: {reason}\n", source.name),
+    };
+    Ok(Err(Outcome { text, status: Status::Undecided }))
 }

@@ -4,42 +4,96 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use super::check::examine;
-use super::outcome::Failure;
+use super::arguments::{Format, to_json};
+use super::check::examine_within;
+use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
+use crate::control::{Control, Interrupted};
 use crate::exact::Work;
 use crate::report::Files;
+use crate::report::stopped::stopped_by;
 use crate::statement::Statement;
+
+/// Why files that were written have no verdict.
+#[derive(Debug)]
+pub(super) enum Unchecked {
+    /// Something failed.
+    Failure(Failure),
+    /// The work was stopped while the checker read what had been written.
+    Stopped(Interrupted, Files),
+}
+
+impl From<Failure> for Unchecked {
+    fn from(failure: Failure) -> Self {
+        Unchecked::Failure(failure)
+    }
+}
+
+impl Unchecked {
+    /// What it comes to: the files are there, and can be checked later.
+    pub(super) fn outcome(self, name: &str, format: Format) -> Result<Outcome, Failure> {
+        let (why, files) = match self {
+            Unchecked::Failure(failure) => return Err(failure),
+            Unchecked::Stopped(why, files) => (why, files),
+        };
+        let [statement, certificate] =
+            [&files.statement, &files.certificate].map(|file| file.display().to_string());
+        let reason = format!("an argument was found and written, but its check was stopped: {why}");
+        let text = match format {
+            Format::Json => to_json(&serde_json::json!({
+                "verdict": "UNDECIDED",
+                "name": name,
+                "reason": reason,
+                "stopped": stopped_by(why.why),
+                "files": { "statement": statement, "certificate": certificate },
+            }))?,
+            _ => format!(
+                "UNDECIDED  {name}: {reason}\n\nTo go on: prove-cap check {statement} {certificate}\n"
+            ),
+        };
+        Ok(Outcome { text, status: Status::Undecided })
+    }
+}
 
 /// Writes a statement and its certificate, and lets the independent checker judge the bytes that are on disk.
 pub(super) fn write_and_check(
     source: &Source,
     directory: Option<&Path>,
-    certificate: &str,
-    name: &str,
-) -> Result<Files, Failure> {
+    (certificate, name): (&str, &str),
+    control: &Control,
+) -> Result<Files, Unchecked> {
     let directory = match directory {
         Some(directory) => directory.to_path_buf(),
         None => vacant(source.default_directory(), &source.statement)?,
     };
-    write_pair(&directory, &source.text, certificate, name)
+    write_pair(&directory, &source.text, (certificate, name), control)
 }
 
 /// Writes a statement and a certificate into a directory that holds no other statement, and lets the checker judge them.
+///
+/// The statement first: whoever looks in between sees the new statement beside an old certificate, which names another
+/// statement and is refused for that.
 pub(super) fn write_pair(
     directory: &Path,
     statement: &str,
-    certificate: &str,
-    name: &str,
-) -> Result<Files, Failure> {
+    (certificate, name): (&str, &str),
+    control: &Control,
+) -> Result<Files, Unchecked> {
     fs::create_dir_all(directory)
         .map_err(|error| Failure(format!("{}: cannot be created: {error}", directory.display())))?;
     let files = Files { statement: directory.join("statement.toml"), certificate: directory.join(name) };
     write_atomically(&files.statement, statement.as_bytes())?;
     write_atomically(&files.certificate, certificate.as_bytes())?;
-    match examine(&files.statement, &files.certificate)? {
-        Ok(_) => Ok(files),
-        Err(rejection) => Err(Failure(format!("the checker refuses the files just written: {rejection}"))),
+    match examine_within(&files.statement, &files.certificate, &mut control.work()) {
+        Ok(Ok(_)) => Ok(files),
+        Ok(Err(rejection)) => {
+            let fault = format!("the checker refuses the files just written: {rejection}");
+            Err(Unchecked::Failure(Failure(fault)))
+        }
+        Err(failure) => Err(match control.check() {
+            Ok(()) => Unchecked::Failure(failure),
+            Err(why) => Unchecked::Stopped(why, files),
+        }),
     }
 }
 

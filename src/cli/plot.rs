@@ -10,6 +10,7 @@ use super::outcome::Failure;
 use super::source::Source;
 use crate::approximation::{Enclosure, FloatPatch, Model, Place, local_extremes};
 use crate::certificate::Quantity;
+use crate::control::{Control, Interrupted};
 use crate::figure::{Extreme, Figure, Scene, draw};
 use crate::report::bounds::{symbol, value_text};
 
@@ -54,8 +55,14 @@ impl PlotOptions {
         degree: u32,
         enclosure: &Enclosure,
         about: Option<&str>,
+        control: &Control,
     ) -> Result<String, Failure> {
         let Some(file) = &self.plot else { return Ok(String::new()) };
+        // What is proved stands without a picture.
+        let undrawn = |why: Interrupted| Ok(format!("Picture      not drawn: {why}\n"));
+        if let Err(why) = control.check() {
+            return undrawn(why);
+        }
         let statement = &source.statement;
         let bounds = &enclosure.bounds;
         let model = Model::at_values(statement, &bounds.values).map_err(Failure::of)?;
@@ -101,6 +108,9 @@ impl PlotOptions {
             FigureName::Surface => Figure::Surface,
             FigureName::Cap => Figure::Cap,
         };
+        if let Err(why) = control.check() {
+            return undrawn(why);
+        }
         write_atomically(file, &draw(figure, &scene, file).map_err(Failure::of)?)?;
         Ok(format!("Picture      {}\n", file.display()))
     }

@@ -7,6 +7,7 @@ use super::control::{Limits, under_control};
 use super::files::write_and_check;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
+use crate::control::Control;
 use crate::prove::{Attempt, Reason, prove};
 use crate::report::{describe, json};
 
@@ -17,30 +18,43 @@ pub(super) fn run(
     limits: &Limits,
     format: Format,
 ) -> Result<Outcome, Failure> {
-    let mut source = Source::find(name_or_file)?;
-    let (attempt, added) = under_control(limits, |control| {
-        let mut added = false;
-        loop {
-            let attempt = prove(&source.statement, control).map_err(Failure::of)?;
-            match extension_of(&attempt).filter(|_| extend) {
-                // Each time the field grows, and four radicands are the limit.
-                Some(radicands) => source = source.with_radicands(radicands)?,
-                None => return Ok((attempt, added)),
-            }
-            added = true;
+    under_control(limits, (&name_or_file.to_string_lossy(), format), |control| {
+        let source = Source::find_within(name_or_file, control)?;
+        carried_out(name_or_file, source, (directory, extend), format, control)
+    })
+}
+
+fn carried_out(
+    name_or_file: &Path,
+    source: Source,
+    (directory, extend): (Option<&Path>, bool),
+    format: Format,
+    control: &Control,
+) -> Result<Outcome, Failure> {
+    let (mut source, mut added) = (source, false);
+    let attempt = loop {
+        let attempt = prove(&source.statement, control).map_err(Failure::of)?;
+        match extension_of(&attempt).filter(|_| extend) {
+            // Each time the field grows, and four radicands are the limit.
+            Some(radicands) => source = source.with_radicands(radicands)?,
+            None => break attempt,
         }
-    })??;
+        added = true;
+    };
     let files = match &attempt {
         Attempt::Proved { certificate, .. } => {
             let text = certificate.write(&source.statement.ring());
-            Some(write_and_check(&source, directory, &text, "certificate.txt")?)
+            match write_and_check(&source, directory, (&text, "certificate.txt"), control) {
+                Ok(files) => Some(files),
+                Err(unchecked) => return unchecked.outcome(&source.name, format),
+            }
         }
         Attempt::Undecided(_) => None,
     };
     let text = match format {
         Format::Text | Format::Latex => {
             let named = (source.name.as_str(), &*name_or_file.to_string_lossy());
-            let described = describe(named, &source.statement, source.cap, &attempt, files.as_ref());
+            let described = describe(named, &source.statement, source.cap, &attempt, files.as_ref(), control);
             let mut text = described.map_err(Failure::of)?;
             if added {
                 text += &format!("Extended     radicands = {:?}\n", source.statement.field().values());
@@ -48,7 +62,7 @@ pub(super) fn run(
             text
         }
         Format::Json => {
-            let data = json::attempt(&source.name, &source.statement, &attempt, files.as_ref())
+            let data = json::attempt(&source.name, &source.statement, &attempt, files.as_ref(), control)
                 .map_err(Failure::of)?;
             to_json(&data)?
         }

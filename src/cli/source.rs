@@ -6,6 +6,7 @@ use super::check::read_limited;
 use super::outcome::Failure;
 use crate::audit::net::statement_from_json;
 use crate::catalogue;
+use crate::control::Control;
 use crate::exact::Work;
 use crate::statement::Statement;
 
@@ -27,6 +28,11 @@ pub(super) struct Source {
 impl Source {
     /// Finds a built-in statement, or reads a file.
     pub(super) fn find(name_or_file: &Path) -> Result<Source, Failure> {
+        Source::find_within(name_or_file, &Control::default())
+    }
+
+    /// The same, where reading may be stopped.
+    pub(super) fn find_within(name_or_file: &Path, control: &Control) -> Result<Source, Failure> {
         if let Some(entry) = name_or_file.to_str().and_then(catalogue::find) {
             let text = entry.statement();
             let statement =
@@ -52,7 +58,7 @@ impl Source {
         if let Some(json) = as_json(&bytes) {
             return Source::from_json(name_or_file, json);
         }
-        let statement = Statement::read_bytes(&bytes, &mut Work::full())
+        let statement = Statement::read_bytes(&bytes, &mut control.work())
             .map_err(|error| Failure(format!("{}:{error}", name_or_file.display())))?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let name = name_of(name_or_file);

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::arguments::{Format, to_json};
-use super::control::{Limits, under_control};
+use super::control::{Limits, controlled};
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
 use super::values::values;
@@ -13,7 +13,7 @@ use crate::approximation::{
     ApproximationError, BestSoFar, Enclosure, EnclosureError, FloatPatch, Objective, Search, approximate,
     enclose, error_of,
 };
-use crate::elimination::{Control, Interrupted};
+use crate::control::{Control, Interrupted};
 use crate::report::bounds::error_value;
 use crate::report::rounding::{Towards, rounded};
 use crate::report::stopped::{best_so_far_data, best_so_far_text, stopped_by};
@@ -77,7 +77,7 @@ struct Unfinished {
 }
 
 pub(super) fn run(options: &TableOptions, format: Format) -> Result<Outcome, Failure> {
-    let (lines, unfinished) = under_control(&options.limits, rows)??;
+    let (lines, unfinished) = controlled(&options.limits, rows)??;
     let status = if unfinished.is_some() { Status::Undecided } else { Status::Established };
     let text = match format {
         Format::Json => to_json(&data(&lines, unfinished.as_ref())?)?,
@@ -95,7 +95,7 @@ pub(super) fn run(options: &TableOptions, format: Format) -> Result<Outcome, Fai
 }
 
 /// The rows as far as they come.
-fn rows(control: &Control<'_>) -> Result<(Vec<Line>, Option<Unfinished>), Failure> {
+fn rows(control: &Control) -> Result<(Vec<Line>, Option<Unfinished>), Failure> {
     let mut lines = Vec::new();
     for row in ROWS {
         match line(row, control)? {
@@ -107,7 +107,7 @@ fn rows(control: &Control<'_>) -> Result<(Vec<Line>, Option<Unfinished>), Failur
 }
 
 /// One row, or where it was interrupted.
-fn line(row: &'static Row, control: &Control<'_>) -> Result<Result<Line, Unfinished>, Failure> {
+fn line(row: &'static Row, control: &Control) -> Result<Result<Line, Unfinished>, Failure> {
     let source = Source::find(row.name.as_ref())?;
     let statement = &source.statement;
     let of = |error: &dyn std::fmt::Display| Failure(format!("{}: {error}", row.name));
@@ -180,7 +180,7 @@ fn data(lines: &[Line], unfinished: Option<&Unfinished>) -> Result<serde_json::V
     Ok(serde_json::json!({
         "rows": lines.iter().map(Line::data).collect::<Vec<_>>(),
         "of": ROWS.len(),
-        "stopped": unfinished.map(|stopped| stopped_by(stopped.why)),
+        "stopped": unfinished.map(|stopped| stopped_by(stopped.why.why)),
         "reason": unfinished.map(|stopped| stopped.why.to_string()),
         "unfinished": unfinished.map(|stopped| Ok::<_, Failure>(serde_json::json!({
             "name": stopped.row.name,
@@ -294,25 +294,22 @@ fn above(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     use super::*;
-    use crate::elimination::Progress;
+    use crate::control::Why;
 
     #[test]
     fn rows_that_are_finished_are_kept_and_the_next_as_far_as_it_came() {
-        let flag = AtomicBool::new(false);
-        let descents = std::cell::Cell::new(0);
+        let stopper = Control::default();
+        let descents = AtomicUsize::new(0);
         // The second row has its values given: the second descent is that of the third row.
-        let observer = |progress: &Progress| {
-            if matches!(progress, Progress::Descent { round: 1, .. }) {
-                descents.set(descents.get() + 1);
-                if descents.get() == 2 {
-                    flag.store(true, Ordering::Relaxed);
-                }
+        let control = stopper.clone().observed(move |progress| {
+            let starts = progress.to_string().starts_with("linear programs: round 1,");
+            if starts && descents.fetch_add(1, Ordering::Relaxed) == 1 {
+                stopper.stop(Why::Interrupt);
             }
-        };
-        let control = Control { cancelled: Some(&flag), observer: Some(&observer), ..Control::default() };
+        });
         let (lines, unfinished) = rows(&control).unwrap();
         let names: Vec<_> = lines.iter().map(|line| (line.name, line.values)).collect();
         assert_eq!(names, [("cap-2x2-polynomial", "best found"), ("cap-2x2", "given")]);

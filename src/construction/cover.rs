@@ -6,8 +6,8 @@ use crate::algebra::{FieldElement, Integer, Polynomial};
 use crate::approximation::{NoTree, positive_tree};
 use crate::bezier::BernsteinForm;
 use crate::certificate::{Argument, Certificate, Cover, EdgeTree, Tree};
-use crate::checker::{CheckError, Theorem, check_read};
-use crate::elimination::{Control, Interrupted};
+use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::control::{Control, Interrupted};
 use crate::exact::Limit;
 use crate::geometry::{Point, Vector, dot};
 use crate::statement::Statement;
@@ -39,8 +39,8 @@ pub enum CoverError {
     #[error("the checker, which judges every certificate, has limits: {0}")]
     Limit(Limit),
     /// Interrupted.
-    #[error("{0}")]
-    Interrupted(Interrupted),
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
     /// The checker refused.
     #[error("{0}")]
     Refused(CheckError),
@@ -53,7 +53,7 @@ pub enum CoverError {
 pub fn cover(
     statement: &Statement,
     net: &[Vec<Point>],
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<(Certificate, Theorem), CoverError> {
     let (m, n) = (net.len() - 1, net[0].len() - 1);
     let weights: Vec<FieldElement> = net.iter().flatten().map(|[.., weight]| weight.clone()).collect();
@@ -80,7 +80,7 @@ pub fn cover(
         edges[number] = EdgeTree::Arc(tree);
     }
 
-    let (mut bidegree, mut values) = jacobian(net);
+    let (mut bidegree, mut values) = jacobian(net, control)?;
     if let Some(edge) = points.iter().position(|point| *point) {
         (bidegree, values) = without_factor(edge, bidegree, values);
     }
@@ -91,10 +91,10 @@ pub fn cover(
     let regular = positive("the Jacobian determinant", bidegree, values, control)?;
     let argument = Argument::Cover(Cover { values: vec![], denominator, edges, inward, regular });
     let certificate = Certificate { statement: statement.hash(), argument };
-    match check_read(statement, &certificate) {
+    match check_read_within(statement, &certificate, &mut control.work()) {
         Ok(theorem) => Ok((certificate, theorem)),
         Err(error) => Err(match error.limit() {
-            Some(limit) => CoverError::Limit(limit.clone()),
+            Some(limit) => control.unless_stopped(CoverError::Limit(limit.clone())),
             None => CoverError::Refused(error),
         }),
     }
@@ -104,7 +104,7 @@ fn positive(
     what: &'static str,
     bidegree: (usize, usize),
     values: Vec<FieldElement>,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Tree, CoverError> {
     positive_tree(bidegree, values, BOXES, control).map_err(|why| match why {
         NoTree::Interrupted(why) => CoverError::Interrupted(why),
@@ -130,7 +130,10 @@ fn is_point(curve: &[Point]) -> bool {
 /// P is bilinear in Q₀₀, Q₁₀, Q₀₁, Q₁₁, forms of bidegree (m−1, n−1) (one step of de Casteljau in each direction), and its
 /// derivatives are m and n times those of the bilinear patch with these corners. For such a patch the determinant is bilinear
 /// too, and at each corner it is that of three of the points.
-fn jacobian(net: &[Vec<Point>]) -> ((usize, usize), Vec<FieldElement>) {
+fn jacobian(
+    net: &[Vec<Point>],
+    control: &Control,
+) -> Result<((usize, usize), Vec<FieldElement>), Interrupted> {
     let (m, n) = (net.len() as u32 - 1, net[0].len() as u32 - 1);
     let field = net[0][0][0].field();
     let corner = |a: usize, b: usize| -> [BernsteinForm; 3] {
@@ -142,29 +145,30 @@ fn jacobian(net: &[Vec<Point>]) -> ((usize, usize), Vec<FieldElement>) {
     };
     let [low, right, left, high] = [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)];
     let minus = BernsteinForm::constant(field.integer(-1));
+    let times = |x: &BernsteinForm, y: &BernsteinForm| x.multiply_within(y, control);
     let product = |[a, b, c]: &[BernsteinForm; 3], [p, q, r]: &[BernsteinForm; 3], s: &[BernsteinForm; 3]| {
         let minor = |x: &BernsteinForm, y: &BernsteinForm, z: &BernsteinForm, w: &BernsteinForm| {
-            x.multiply(w).add(&minus.multiply(&y.multiply(z)))
+            Ok::<_, Interrupted>(times(x, w)?.add(&times(&minus, &times(y, z)?)?))
         };
         let [x, y, z] = s;
-        let terms = [(a, minor(q, r, y, z)), (b, minor(r, p, z, x)), (c, minor(p, q, x, y))];
-        let products = terms.iter().map(|(factor, minor)| factor.multiply(minor));
-        products.reduce(|sum, next| sum.add(&next)).expect("three terms")
+        let first = times(a, &minor(q, r, y, z)?)?;
+        let second = times(b, &minor(r, p, z, x)?)?;
+        Ok::<_, Interrupted>(first.add(&second).add(&times(c, &minor(p, q, x, y)?)?))
     };
     let at = |a: usize, b: usize| {
         BernsteinForm::from_bernstein(field, (1, 1), |i, j| {
             Polynomial::constant(field.integer(i64::from((i, j) == (a, b))))
         })
     };
-    let terms = [
-        at(0, 0).multiply(&product(&low, &right, &left)),
-        at(1, 0).multiply(&product(&low, &right, &high)),
-        at(0, 1).multiply(&product(&low, &high, &left)),
-        at(1, 1).multiply(&product(&high, &left, &right)),
-    ];
-    let sum = terms.into_iter().reduce(|sum, next| sum.add(&next)).expect("four terms");
+    let mut sum = times(&at(0, 0), &product(&low, &right, &left)?)?;
+    for (corner, points) in
+        [((1, 0), [&low, &right, &high]), ((0, 1), [&low, &high, &left]), ((1, 1), [&high, &left, &right])]
+    {
+        let [a, b, c] = points;
+        sum = sum.add(&times(&at(corner.0, corner.1), &product(a, b, c)?)?);
+    }
     let (p, q) = sum.bidegree();
-    ((p as usize, q as usize), sum.constants())
+    Ok(((p as usize, q as usize), sum.constants()))
 }
 
 /// A form that vanishes on the edge u = 0, u = 1, v = 0 or v = 1, divided by the distance from it.

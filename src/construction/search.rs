@@ -8,8 +8,8 @@ use crate::algebra::{FieldElement, Integer, Sign};
 use crate::bezier::RationalArc;
 use crate::catalogue::{net_statement, normalised};
 use crate::certificate::{Argument, Certificate};
-use crate::checker::{CheckError, Theorem, check_read};
-use crate::elimination::{Control, Interrupted};
+use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::control::{Control, Interrupted};
 use crate::exact::Limit;
 use crate::geometry::{
     Moduli, Point, Polygon, SpinorForm, Split, Vector, biquartic, quadrilateral, triangle, without_phase,
@@ -72,8 +72,8 @@ pub enum Refusal {
     #[error("the checker, which judges every certificate, has limits: {0}")]
     Limit(Limit),
     /// Interrupted.
-    #[error("{0}")]
-    Interrupted(Interrupted),
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
     /// The checker refused: a defect of this program.
     #[error("the independent checker refused the net: {0}")]
     Refused(CheckError),
@@ -99,7 +99,7 @@ pub fn construct(
     title: &str,
     bidegree: (u32, u32),
     centre: Option<&FieldElement>,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Construction, Refusal> {
     let cell = classify(Phase::of(polygon), bidegree);
     let base = match cell {
@@ -123,7 +123,7 @@ pub fn construct(
     for (tried, (scales, split, rotation)) in
         iproduct!(scales(polygon), [Split::Even, Split::Low, Split::High], [0usize, 1]).enumerate()
     {
-        control.check().map_err(Refusal::Interrupted)?;
+        control.check()?;
         let moduli = Moduli { rotation: 0, split, scales };
         let Some(made) = candidate(polygon, base, moduli, rotation == 1, tried) else { continue };
         let last = matches!(made.2, How::Bilinear) && !polygon.is_triangle();
@@ -211,7 +211,7 @@ fn finish(
     title: &str,
     bidegree: (u32, u32),
     (net, placed, how): Made,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Construction, Refusal> {
     let net = elevated(&normalised(&net), bidegree);
     let remark = "An exact patch: the generalised stereographic image of a spinor whose edges run along great circles.";
@@ -219,7 +219,8 @@ fn finish(
     let text = net_statement(&format!("{title}, bidegree ({m},{n}), exact"), remark, &net);
     let statement = Statement::read(&text).map_err(CheckError::from)?;
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Exact(vec![]) };
-    let theorem = check_read(&statement, &certificate)?;
+    let checked = check_read_within(&statement, &certificate, &mut control.work());
+    let theorem = checked.map_err(|error| control.unless_stopped(Refusal::from(error)))?;
     let cover = match cover(&statement, &net, control) {
         Err(CoverError::Interrupted(why)) => return Err(Refusal::Interrupted(why)),
         other => other,

@@ -5,7 +5,7 @@ use itertools::Itertools;
 use super::search::{Construction, Refusal, construct};
 use crate::algebra::{FieldElement, Polynomial};
 use crate::bezier::BernsteinForm;
-use crate::elimination::Control;
+use crate::control::Control;
 use crate::geometry::{NamedPolygon, Point, Vector};
 
 /// Patches that cover the sphere.
@@ -30,7 +30,7 @@ pub struct Seam {
 ///
 /// # Errors
 /// [`Refusal`]
-pub fn tile(named: &NamedPolygon, bidegree: (u32, u32), control: &Control<'_>) -> Result<Tiled, Refusal> {
+pub fn tile(named: &NamedPolygon, bidegree: (u32, u32), control: &Control) -> Result<Tiled, Refusal> {
     let mut faces = Vec::new();
     for (number, polygon) in (1..).zip(named.tiling()) {
         let title = format!("{}, face {number}", named.name);
@@ -38,6 +38,7 @@ pub fn tile(named: &NamedPolygon, bidegree: (u32, u32), control: &Control<'_>) -
     }
     let mut seams = Vec::new();
     for [(first, made), (second, other)] in faces.iter().enumerate().array_combinations() {
+        control.check()?;
         for ((from, to), curve) in edges(made) {
             for ((start, end), opposite) in edges(other) {
                 let same = (&from, &to) == (&start, &end);

@@ -6,13 +6,13 @@ use std::ops::ControlFlow;
 use std::rc::Rc;
 
 use super::closure::Closure;
-use super::control::{Control, Interrupted};
 use super::derivation::Derivation;
 use super::points::points_in_field;
 use super::strategy::Strategy;
 use super::system::System;
 use super::{Outcome, Undecided, run};
 use crate::algebra::{FieldElement, Integer, Polynomial};
+use crate::control::{Control, Interrupted};
 
 /// The values that are tried, in this order: (numerator, denominator).
 pub const VALUES: [(i64, u32); 5] = [(1, 1), (0, 1), (-1, 1), (2, 1), (1, 2)];
@@ -52,7 +52,7 @@ pub fn choose(
     system: &System,
     closure: &Closure,
     order: &[u16],
-    control: &Control<'_>,
+    control: &Control,
     visit: &mut dyn FnMut(ChosenZero) -> ControlFlow<()>,
 ) -> Result<Tried, Interrupted> {
     let field = system.field();

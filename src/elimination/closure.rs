@@ -1,10 +1,10 @@
 //! When 1 is not to be had: what the equations say instead.
 
-use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
 use super::eliminant::eliminant;
 use super::linear::Linear;
 use crate::algebra::{FieldElement, Monomial, Polynomial, Univariate};
+use crate::control::{Control, Interrupted};
 
 /// Zeros up to which eliminants are computed.
 const ELIMINANTS: usize = 32;
@@ -44,14 +44,14 @@ impl Closure {
         derivation: &mut Derivation<'_>,
         linear: &Linear,
         basis: &[Source],
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Closure, Interrupted> {
         let basis: Vec<Polynomial> =
             basis.iter().map(|&source| derivation.polynomial(source).clone()).collect();
         let mut verified = is_groebner_basis(&basis, control)?;
         for generator in derivation.generators() {
             control.check()?;
-            let reduced = linear.substitute(derivation, generator);
+            let reduced = linear.substitute(derivation, generator, control)?;
             if let Some(source) = reduced {
                 verified &= normal_form(derivation.polynomial(source), &basis, control)?.is_zero();
             }
@@ -59,8 +59,9 @@ impl Closure {
         let of_basis = basis.iter().filter_map(|f| f.leading_term()).map(|(monomial, _)| monomial.clone());
         let leading: Vec<Monomial> = linear.variables().map(Monomial::variable).chain(of_basis).collect();
         let variables: Vec<u16> = (0..derivation.system().variables() as u16).collect();
-        let dimension = dimension(&leading, &variables);
-        let zeros = (dimension == 0).then(|| standard_monomials(&leading, &variables));
+        let dimension = dimension(&leading, &variables, control)?;
+        let zeros =
+            if dimension == 0 { Some(standard_monomials(&leading, &variables, control)?) } else { None };
         let mut eliminants = Vec::new();
         if verified && zeros.is_some_and(|count| count <= ELIMINANTS) {
             let field = derivation.system().field();
@@ -76,7 +77,7 @@ impl Closure {
 }
 
 /// Buchberger's criterion over K: every S-polynomial of a critical pair has normal form 0.
-fn is_groebner_basis(basis: &[Polynomial], control: &Control<'_>) -> Result<bool, Interrupted> {
+fn is_groebner_basis(basis: &[Polynomial], control: &Control) -> Result<bool, Interrupted> {
     for (k, f) in basis.iter().enumerate() {
         for g in &basis[..k] {
             control.check()?;
@@ -101,7 +102,7 @@ fn is_groebner_basis(basis: &[Polynomial], control: &Control<'_>) -> Result<bool
 pub(super) fn normal_form(
     polynomial: &Polynomial,
     divisors: &[Polynomial],
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Polynomial, Interrupted> {
     let mut rest = polynomial.clone();
     let mut remainder = Polynomial::zero(polynomial.field());
@@ -126,7 +127,7 @@ pub(super) fn normal_form(
 }
 
 /// The size of the largest set of variables that no leading monomial lies in (Cox, Little, O'Shea, section 9.3).
-fn dimension(leading: &[Monomial], variables: &[u16]) -> usize {
+fn dimension(leading: &[Monomial], variables: &[u16], control: &Control) -> Result<usize, Interrupted> {
     // A variable that leads by itself is in no such set; one that never occurs is in all of them.
     let free =
         variables.iter().filter(|&&v| leading.iter().all(|monomial| monomial.exponent(v) == 0)).count();
@@ -136,35 +137,47 @@ fn dimension(leading: &[Monomial], variables: &[u16]) -> usize {
         .filter(|&v| leading.iter().any(|monomial| monomial.exponent(v) > 0))
         .filter(|&v| !leading.contains(&Monomial::variable(v)))
         .collect();
-    free + largest_independent(leading, &undecided, &mut Vec::new())
+    Ok(free + largest_independent(leading, &undecided, &mut Vec::new(), control)?)
 }
 
-fn largest_independent(leading: &[Monomial], undecided: &[u16], chosen: &mut Vec<u16>) -> usize {
+fn largest_independent(
+    leading: &[Monomial],
+    undecided: &[u16],
+    chosen: &mut Vec<u16>,
+    control: &Control,
+) -> Result<usize, Interrupted> {
+    control.check()?;
     let Some((&next, rest)) = undecided.split_first() else {
-        return chosen.len();
+        return Ok(chosen.len());
     };
-    let without = largest_independent(leading, rest, chosen);
+    let without = largest_independent(leading, rest, chosen, control)?;
     chosen.push(next);
     let inside = |monomial: &Monomial| monomial.powers().iter().all(|(v, _)| chosen.contains(v));
-    let with = if leading.iter().any(inside) { 0 } else { largest_independent(leading, rest, chosen) };
+    let dependent = leading.iter().any(inside);
+    let with = if dependent { 0 } else { largest_independent(leading, rest, chosen, control)? };
     chosen.pop();
-    with.max(without)
+    Ok(with.max(without))
 }
 
 /// How many monomials no leading monomial divides; finite in dimension 0.
-fn standard_monomials(leading: &[Monomial], variables: &[u16]) -> usize {
+fn standard_monomials(
+    leading: &[Monomial],
+    variables: &[u16],
+    control: &Control,
+) -> Result<usize, Interrupted> {
     let mut count = 0;
     let mut layer = vec![Monomial::one()];
     while !layer.is_empty() {
         count += layer.len();
-        let mut next: Vec<Monomial> = layer
-            .iter()
-            .flat_map(|monomial| variables.iter().map(|&v| monomial.product(&Monomial::variable(v))))
-            .filter(|monomial| leading.iter().all(|other| monomial.quotient(other).is_none()))
-            .collect();
+        let mut next = Vec::new();
+        for monomial in &layer {
+            control.check()?;
+            let multiples = variables.iter().map(|&v| monomial.product(&Monomial::variable(v)));
+            next.extend(multiples.filter(|m| leading.iter().all(|other| m.quotient(other).is_none())));
+        }
         next.sort();
         next.dedup();
         layer = next;
     }
-    count
+    Ok(count)
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::derivation::{DerivedStep, Source};
 use crate::algebra::{FieldElement, Monomial, Polynomial};
+use crate::control::{Control, Interrupted};
 
 /// Products of terms beyond which multiplying a step into its users is not even tried.
 const PRODUCTS: usize = 2_000;
@@ -14,13 +15,16 @@ const STEP: usize = 18;
 const PREMISE: usize = 16;
 
 /// Removes steps that are cheaper to multiply out; `None` stands where one was. The last step stays.
-pub(super) fn compact(mut steps: Vec<Option<DerivedStep>>) -> Vec<Option<DerivedStep>> {
+pub(super) fn compact(
+    mut steps: Vec<Option<DerivedStep>>,
+    control: &Control,
+) -> Result<Vec<Option<DerivedStep>>, Interrupted> {
     let mut changed = true;
     while changed {
         changed = false;
         for k in 0..steps.len().saturating_sub(1) {
             let Some(step) = &steps[k] else { continue };
-            let Some(replaced) = multiplied_out(step, Source::Derived(k), &steps) else { continue };
+            let Some(replaced) = multiplied_out(step, Source::Derived(k), &steps, control)? else { continue };
             for (user, shorter) in replaced {
                 steps[user] = Some(shorter);
             }
@@ -28,7 +32,7 @@ pub(super) fn compact(mut steps: Vec<Option<DerivedStep>>) -> Vec<Option<Derived
             changed = true;
         }
     }
-    steps
+    Ok(steps)
 }
 
 /// The users of a step with the step multiplied out, if they are shorter than they are together with it.
@@ -36,7 +40,8 @@ fn multiplied_out(
     step: &DerivedStep,
     source: Source,
     steps: &[Option<DerivedStep>],
-) -> Option<Vec<(usize, DerivedStep)>> {
+    control: &Control,
+) -> Result<Option<Vec<(usize, DerivedStep)>>, Interrupted> {
     let own: usize = step.combination.iter().map(|(_, by)| by.terms().len()).sum();
     let mut gain = length(step);
     let mut replaced = Vec::new();
@@ -47,11 +52,12 @@ fn multiplied_out(
         };
         let before = length_of_premises(user);
         if own * factor.terms().len() > PRODUCTS || before > LENGTH {
-            return None;
+            return Ok(None);
         }
         let mut merged: BTreeMap<Source, Polynomial> =
             user.combination.iter().filter(|(premise, _)| *premise != source).cloned().collect();
         for (premise, by) in &step.combination {
+            control.check()?;
             let product = by.multiply(factor);
             let sum = match merged.remove(premise) {
                 Some(before) => before.add(&product),
@@ -63,10 +69,11 @@ fn multiplied_out(
         }
         let shorter =
             DerivedStep { combination: merged.into_iter().collect(), conclusion: user.conclusion.clone() };
-        gain = (gain + before).checked_sub(length_of_premises(&shorter))?;
+        let Some(left) = (gain + before).checked_sub(length_of_premises(&shorter)) else { return Ok(None) };
+        gain = left;
         replaced.push((k, shorter));
     }
-    (gain > 0).then_some(replaced)
+    Ok((gain > 0).then_some(replaced))
 }
 
 pub(super) fn length(step: &DerivedStep) -> usize {

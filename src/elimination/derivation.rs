@@ -8,6 +8,7 @@ use super::strategy::SHORT;
 use super::system::System;
 use crate::algebra::{FieldElement, Monomial, Polynomial};
 use crate::certificate::Premise;
+use crate::control::{Control, Interrupted};
 
 /// A polynomial of the ideal: given, or derived earlier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -73,21 +74,26 @@ impl<'a> Derivation<'a> {
 
     /// Records a combination and returns what it comes to; `None` where that is zero.
     /// A polynomial that is known already is not recorded again.
-    pub fn derive(&mut self, combination: Vec<(Source, Polynomial)>) -> Option<Source> {
+    ///
+    /// # Errors
+    /// [`Control::check`]
+    pub fn derive(
+        &mut self,
+        combination: Vec<(Source, Polynomial)>,
+        control: &Control,
+    ) -> Result<Option<Source>, Interrupted> {
         let mut merged: BTreeMap<Source, Polynomial> = BTreeMap::new();
         for (source, multiplier) in combination {
             let sum = merged.entry(source).or_insert_with(|| Polynomial::zero(self.system.field()));
             *sum = sum.add(&multiplier);
         }
         merged.retain(|_, multiplier| !multiplier.is_zero());
-        let products =
-            merged.iter().map(|(&source, multiplier)| multiplier.multiply(self.polynomial(source)));
-        let terms: Vec<_> = products.flat_map(Polynomial::into_terms).collect();
-        let conclusion = Polynomial::from_terms(self.system.field(), terms);
+        let products = merged.iter().map(|(&source, multiplier)| (multiplier, self.polynomial(source)));
+        let conclusion = Polynomial::sum_of_products(self.system.field(), products, control)?;
         if conclusion.is_zero() {
-            return None;
+            return Ok(None);
         }
-        Some(self.record(merged.into_iter().collect(), conclusion))
+        Ok(Some(self.record(merged.into_iter().collect(), conclusion)))
     }
 
     /// Records a combination, without repetitions, that is known to come to `conclusion`, which is not zero.
@@ -106,8 +112,16 @@ impl<'a> Derivation<'a> {
     }
 
     /// Records factor · source.
-    pub fn derive_scaled(&mut self, source: Source, factor: FieldElement) -> Option<Source> {
-        self.derive(vec![(source, Polynomial::term(factor, Monomial::one()))])
+    ///
+    /// # Errors
+    /// [`Control::check`]
+    pub fn derive_scaled(
+        &mut self,
+        source: Source,
+        factor: FieldElement,
+        control: &Control,
+    ) -> Result<Option<Source>, Interrupted> {
+        self.derive(vec![(source, Polynomial::term(factor, Monomial::one()))], control)
     }
 
     /// About how many characters the steps take that `target` depends on.
@@ -118,16 +132,19 @@ impl<'a> Derivation<'a> {
 
     /// The steps that `target` depends on, in order, each given by named premises, `target`'s own last.
     /// `None` if the target is an equation of the system itself.
-    pub fn proof_of(&self, target: Source) -> Option<Vec<NamedStep>> {
+    ///
+    /// # Errors
+    /// [`Control::check`]
+    pub fn proof_of(&self, target: Source, control: &Control) -> Result<Option<Vec<NamedStep>>, Interrupted> {
         let Source::Derived(last) = target else {
-            return None;
+            return Ok(None);
         };
         let steps: Vec<Option<DerivedStep>> = self.steps[..=last].iter().cloned().map(Some).collect();
         let mut steps = needed(steps);
         // A short proof is left as it was found: it tells how to get there.
         if steps.iter().flatten().map(length).sum::<usize>() > SHORT {
-            steps = needed(compact(steps));
-            rescale(&mut steps);
+            steps = needed(compact(steps, control)?);
+            rescale(&mut steps, control)?;
         }
         let mut numbers = HashMap::new();
         let mut proof = Vec::new();
@@ -144,7 +161,7 @@ impl<'a> Derivation<'a> {
             proof.push(NamedStep { combination, conclusion: step.conclusion });
             numbers.insert(k, u32::try_from(proof.len()).expect("fewer than 2³² steps"));
         }
-        Some(proof)
+        Ok(Some(proof))
     }
 }
 

@@ -3,6 +3,10 @@
 use std::collections::BTreeMap;
 
 use crate::algebra::PrimeField;
+use crate::control::{Control, Interrupted, Pace};
+
+/// Entries that are added between two questions whether to go on: some milliseconds.
+const ENTRIES: usize = 1 << 21;
 
 /// (column, non-zero entry), by decreasing column.
 pub type SparseRow = Vec<(u32, u64)>;
@@ -56,10 +60,16 @@ impl Echelon {
     }
 
     /// The rows of the reduced echelon form: in no other row is there an entry where one leads.
-    pub fn reduced_rows(&mut self) -> Vec<SparseRow> {
+    ///
+    /// # Errors
+    /// [`Control::check`]; nothing more can be inserted then.
+    pub fn reduced_rows(&mut self, control: &Control) -> Result<Vec<SparseRow>, Interrupted> {
+        let mut pace = control.every(ENTRIES);
         let positions: Vec<usize> = self.pivots.values().copied().collect();
         let reduce = |position: usize| {
-            let Some(&(leading, _)) = self.rows[position].entries.first() else { return SparseRow::new() };
+            let Some(&(leading, _)) = self.rows[position].entries.first() else {
+                return Ok(SparseRow::new());
+            };
             let width = leading as usize + 1;
             if self.dense.len() < width {
                 self.dense.resize(width, 0);
@@ -71,23 +81,35 @@ impl Echelon {
                 let value = self.field.remainder(self.dense[column as usize]);
                 self.dense[column as usize] = value;
                 let Some(&other) = self.pivots.get(&column).filter(|_| value != 0) else { continue };
-                subtract_multiple(&mut self.dense, value, &self.rows[other].entries, &self.field);
+                subtract_multiple(&mut self.dense, value, &self.rows[other].entries, &self.field, &mut pace)?;
                 self.dense[column as usize] = 0;
             }
             let cells = self.dense[..width].iter_mut().zip(0..width as u32).rev();
-            cells.map(|(cell, at)| (at, std::mem::take(cell))).filter(|&(_, value)| value != 0).collect()
+            Ok(cells.map(|(cell, at)| (at, std::mem::take(cell))).filter(|&(_, value)| value != 0).collect())
         };
         positions.into_iter().map(reduce).collect()
     }
 
     /// The inserted rows that the row leading in `column` is made of.
-    pub fn combination(&self, column: u32) -> Combination {
+    ///
+    /// # Errors
+    /// [`Control::check`]
+    pub fn combination(&self, column: u32, control: &Control) -> Result<Combination, Interrupted> {
         let row = &self.rows[self.pivots[&column]];
-        self.unfold(row.inserted, row.scale, &row.subtracted)
+        self.unfold(row.inserted, row.scale, &row.subtracted, control)
     }
 
     /// Reduces a row by those inserted before, from the left, until it leads in a free column.
-    pub fn insert(&mut self, id: u32, row: &[(u32, u64)]) -> Inserted {
+    ///
+    /// # Errors
+    /// [`Control::check`]; nothing more can be inserted then.
+    pub fn insert(
+        &mut self,
+        id: u32,
+        row: &[(u32, u64)],
+        control: &Control,
+    ) -> Result<Inserted, Interrupted> {
+        let mut pace = control.every(ENTRIES);
         let width = row.first().map_or(0, |&(column, _)| column as usize + 1);
         if self.dense.len() < width {
             self.dense.resize(width, 0);
@@ -103,17 +125,21 @@ impl Echelon {
                 continue;
             }
             let Some(&position) = self.pivots.get(&(column as u32)) else {
-                return self.store(column as u32, value, id, subtracted);
+                return Ok(self.store(column as u32, value, id, subtracted));
             };
-            subtract_multiple(&mut self.dense, value, &self.rows[position].entries[1..], &self.field);
+            let entries = &self.rows[position].entries[1..];
+            subtract_multiple(&mut self.dense, value, entries, &self.field, &mut pace)?;
             subtracted.push((position as u32, value as u32));
         }
-        Inserted::Dependent(Dependence { inserted: id, subtracted })
+        Ok(Inserted::Dependent(Dependence { inserted: id, subtracted }))
     }
 
     /// The combination of inserted rows, the dependent one with factor 1, that is zero.
-    pub fn relation(&self, dependence: &Dependence) -> Combination {
-        self.unfold(dependence.inserted, 1, &dependence.subtracted)
+    ///
+    /// # Errors
+    /// [`Control::check`]
+    pub fn relation(&self, dependence: &Dependence, control: &Control) -> Result<Combination, Interrupted> {
+        self.unfold(dependence.inserted, 1, &dependence.subtracted, control)
     }
 
     fn store(
@@ -139,7 +165,14 @@ impl Echelon {
     }
 
     /// scale · (inserted row − Σ factor · earlier row), all the way back to inserted rows.
-    fn unfold(&self, inserted: u32, scale: u64, subtracted: &[(u32, u32)]) -> Combination {
+    fn unfold(
+        &self,
+        inserted: u32,
+        scale: u64,
+        subtracted: &[(u32, u32)],
+        control: &Control,
+    ) -> Result<Combination, Interrupted> {
+        let mut pace = control.every(ENTRIES);
         let mut combination = BTreeMap::from([(inserted, scale)]);
         let mut pending = vec![0u64; self.rows.len()];
         for &(position, factor) in subtracted {
@@ -155,17 +188,25 @@ impl Echelon {
             let row = &self.rows[position];
             let factor = self.field.multiply(outer, row.scale);
             combination.insert(row.inserted, factor);
+            pace.count(row.subtracted.len())?;
             for &(earlier, inner) in &row.subtracted {
                 let cell = &mut pending[earlier as usize];
                 *cell = self.field.subtract_product(*cell, factor, u64::from(inner));
             }
         }
-        combination.into_iter().filter(|&(_, factor)| factor != 0).collect()
+        Ok(combination.into_iter().filter(|&(_, factor)| factor != 0).collect())
     }
 }
 
 /// dense − factor · row. There is no division: a sum that reaches p² loses p², and stays in a word.
-fn subtract_multiple(dense: &mut [u64], factor: u64, row: &[(u32, u32)], field: &PrimeField) {
+fn subtract_multiple(
+    dense: &mut [u64],
+    factor: u64,
+    row: &[(u32, u32)],
+    field: &PrimeField,
+    pace: &mut Pace<'_>,
+) -> Result<(), Interrupted> {
+    pace.count(row.len())?;
     let p = field.modulus();
     let (negative, square) = (p - factor, p * p);
     for &(at, entry) in row {
@@ -173,4 +214,5 @@ fn subtract_multiple(dense: &mut [u64], factor: u64, row: &[(u32, u32)], field: 
         let sum = *cell + negative * u64::from(entry);
         *cell = if sum >= square { sum - square } else { sum };
     }
+    Ok(())
 }

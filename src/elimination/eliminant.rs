@@ -1,8 +1,8 @@
 //! Eliminants: for finitely many zeros, the polynomial in one variable that vanishes at their coordinates.
 
 use super::closure::normal_form;
-use super::control::{Control, Interrupted};
 use crate::algebra::{FieldElement, MultiquadraticField, Polynomial, Univariate};
+use crate::control::{Control, Interrupted};
 
 /// The polynomial of least degree in `variable` that lies in the ideal of a Gröbner basis, which must have finitely
 /// many zeros. A variable that was eliminated comes with the linear equation that is `solved` for it.
@@ -14,7 +14,7 @@ pub(super) fn eliminant(
     solved: Option<&Polynomial>,
     basis: &[Polynomial],
     field: MultiquadraticField,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Univariate, Interrupted> {
     let plain = Polynomial::variable(field, variable);
     // variable = −(the other terms of its equation).
@@ -32,6 +32,7 @@ pub(super) fn eliminant(
         combination[degree] = field.one();
         for (row, of_row) in &rows {
             let (leading, _) = row.leading_term().expect("rows are not zero");
+            control.check()?;
             let Some(factor) = rest.coefficient(leading).map(|value| -value) else { continue };
             rest = rest.add_scaled(&factor, row);
             for (cell, value) in combination.iter_mut().zip(of_row) {

@@ -10,11 +10,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
 use super::echelon::{Echelon, Inserted, SparseRow};
 use super::solve::solve;
 use crate::algebra::{FieldElement, Integer, Monomial, Polynomial, PrimeField, splitting_primes};
+use crate::control::{Control, Interrupted};
 
 /// Numerators and denominators up to this are small.
 const SMALL: i64 = 16;
@@ -30,7 +30,7 @@ struct Grading {
 pub(super) fn homogeneous_parts(
     derivation: &mut Derivation<'_>,
     equations: &[Source],
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<(usize, Vec<Source>), Interrupted> {
     let images = splitting_primes(derivation.system().field()).find_map(|prime| {
         let rows: Option<Vec<_>> =
@@ -38,7 +38,7 @@ pub(super) fn homogeneous_parts(
         Some(Span::new(rows?, prime))
     });
     let span = images.expect("some prime divides no denominator");
-    let grading = span.grading();
+    let grading = span.grading(control)?;
     let mut parts = Vec::new();
     let mut seen = BTreeSet::new();
     for (index, &source) in equations.iter().enumerate() {
@@ -54,7 +54,7 @@ pub(super) fn homogeneous_parts(
                 continue;
             }
             match span.express(index, &part, equations, derivation, control)? {
-                Some(combination) => parts.extend(derivation.derive(combination)),
+                Some(combination) => parts.extend(derivation.derive(combination, control)?),
                 // The prime was unlucky; without the parts the search is slower, not wrong.
                 None => return Ok((0, equations.to_vec())),
             }
@@ -103,15 +103,16 @@ impl Span {
     }
 
     /// All changes of sign that make every row of the reduced echelon form homogeneous.
-    fn grading(&self) -> Grading {
+    fn grading(&self, control: &Control) -> Result<Grading, Interrupted> {
         let mut echelon = Echelon::new(self.prime.clone());
         for (id, row) in (0..).zip(&self.rows) {
-            echelon.insert(id, row);
+            echelon.insert(id, row, control)?;
         }
         let monomials: Vec<&Monomial> = self.columns.keys().collect();
         // Over F₂: the difference of any two monomials of a row is even.
         let mut conditions: Vec<BTreeSet<u16>> = Vec::new();
-        for row in echelon.reduced_rows() {
+        for row in echelon.reduced_rows(control)? {
+            control.check()?;
             let parity = |column: u32| -> BTreeSet<u16> {
                 let powers = monomials[column as usize].powers().iter();
                 powers.filter(|(_, exponent)| exponent % 2 == 1).map(|&(variable, _)| variable).collect()
@@ -131,7 +132,7 @@ impl Span {
             let determined = conditions.iter().filter(|c| c.contains(&one)).filter_map(|c| c.first());
             determined.copied().chain([one]).collect()
         });
-        Grading { odd: odd.collect() }
+        Ok(Grading { odd: odd.collect() })
     }
 
     /// `part` of equation number `whole` as an exact combination of the equations, preferably of those that have the
@@ -142,7 +143,7 @@ impl Span {
         part: &Polynomial,
         equations: &[Source],
         derivation: &Derivation<'_>,
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Option<Vec<(Source, Polynomial)>>, Interrupted> {
         let support = |index: usize| self.rows[index].iter().map(|&(column, _)| column);
         let Some(image) = self.prime.reduce_polynomial(part) else { return Ok(None) };
@@ -150,16 +151,17 @@ impl Span {
         let mut order: Vec<usize> = (0..equations.len()).collect();
         order.sort_by_key(|&k| (k != whole, !support(k).eq(support(whole)), self.rows[k].len(), k));
         let images = order.iter().take_while(|&&k| support(k).eq(support(whole))).count();
-        let relation = [images, order.len()].into_iter().find_map(|count| {
+        let mut relation = None;
+        for count in [images, order.len()] {
             let mut echelon = Echelon::new(self.prime.clone());
             for &index in &order[..count] {
-                echelon.insert(index as u32, &self.rows[index]);
+                echelon.insert(index as u32, &self.rows[index], control)?;
             }
-            match echelon.insert(u32::MAX, &target) {
-                Inserted::Dependent(dependence) => Some(echelon.relation(&dependence)),
-                Inserted::Pivot(_) => None,
+            if let Inserted::Dependent(dependence) = echelon.insert(u32::MAX, &target, control)? {
+                relation = Some(echelon.relation(&dependence, control)?);
+                break;
             }
-        });
+        }
         let Some(relation) = relation else { return Ok(None) };
         let relation: Vec<(usize, u64)> = relation
             .into_iter()
@@ -180,9 +182,9 @@ impl Span {
             .zip(factors)
             .map(|(&(index, _), factor)| (equations[index], Polynomial::constant(factor)))
             .collect();
-        let products =
-            combination.iter().flat_map(|(f, by)| by.multiply(derivation.polynomial(*f)).terms().to_vec());
-        Ok((Polynomial::from_terms(part.field(), products) == *part).then_some(combination))
+        let products = combination.iter().map(|(f, by)| (by, derivation.polynomial(*f)));
+        let sum = Polynomial::sum_of_products(part.field(), products, control)?;
+        Ok((sum == *part).then_some(combination))
     }
 
     /// The image of a polynomial with leading coefficient 1; empty where p divides a denominator.
@@ -211,7 +213,7 @@ impl Span {
         part: &Polynomial,
         equations: &[Source],
         derivation: &Derivation<'_>,
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Option<Vec<FieldElement>>, Interrupted> {
         let rows: Vec<SparseRow> = relation.iter().map(|&(index, _)| self.rows[index].clone()).collect();
         let monomials: Vec<&Monomial> = self.columns.keys().collect();

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
 use super::echelon::SparseRow;
 use super::linear::normalizing_factor;
 use super::macaulay::Unlucky;
 use super::solve::solve;
 use crate::algebra::{FieldElement, Integer, Monomial, Polynomial, PrimeField};
+use crate::control::{Control, Interrupted};
 
 /// multiplier · source, with the part modulo p that is to cancel.
 pub(super) struct Multiple {
@@ -28,7 +28,7 @@ pub(super) fn lift(
     leading: &Monomial,
     monomials: &[Monomial],
     prime: &PrimeField,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Result<Source, Unlucky>, Interrupted> {
     let field = derivation.system().field();
     let (last, others) = multiples.split_last().expect("a combination of at least one multiple");
@@ -50,12 +50,8 @@ pub(super) fn lift(
     }
     let combination: Vec<(Source, Polynomial)> =
         terms.into_iter().map(|(source, terms)| (source, Polynomial::from_terms(field, terms))).collect();
-    let mut products = Vec::new();
-    for (source, by) in &combination {
-        control.check()?;
-        products.extend(by.multiply(derivation.polynomial(*source)).into_terms());
-    }
-    let sum = Polynomial::from_terms(field, products);
+    let products = combination.iter().map(|(source, by)| (by, derivation.polynomial(*source)));
+    let sum = Polynomial::sum_of_products(field, products, control)?;
     if sum.leading_term().is_none_or(|(monomial, _)| monomial != leading) {
         return Ok(Err(Unlucky));
     }

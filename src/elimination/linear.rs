@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
 use super::strategy::Strategy;
 use crate::algebra::{FieldElement, Monomial, Polynomial};
+use crate::control::{Control, Interrupted};
 
 /// The substitutions found so far. No eliminated variable occurs in another substitution.
 #[derive(Debug, Clone)]
@@ -44,20 +44,19 @@ impl Linear {
         &mut self,
         derivation: &mut Derivation<'_>,
         equations: &[Source],
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Absorbed, Interrupted> {
         loop {
             let (mut linear, mut nonlinear) = (Vec::new(), Vec::new());
             for &source in equations {
                 control.check()?;
-                let Some(reduced) = self.substitute(derivation, source) else {
+                let Some(reduced) = self.substitute(derivation, source, control)? else {
                     continue;
                 };
                 match derivation.polynomial(reduced).degree() {
                     Some(0) => {
-                        return Ok(
-                            unit_from(derivation, reduced).map_or(Absorbed::Rest(Vec::new()), Absorbed::Unit)
-                        );
+                        let unit = unit_from(derivation, reduced, control)?;
+                        return Ok(unit.map_or(Absorbed::Rest(Vec::new()), Absorbed::Unit));
                     }
                     Some(1) => linear.push(reduced),
                     _ => nonlinear.push(reduced),
@@ -75,11 +74,17 @@ impl Linear {
     }
 
     /// `source` with the eliminated variables replaced; `None` where that gives zero.
-    pub(super) fn substitute(&self, derivation: &mut Derivation<'_>, source: Source) -> Option<Source> {
+    pub(super) fn substitute(
+        &self,
+        derivation: &mut Derivation<'_>,
+        source: Source,
+        control: &Control,
+    ) -> Result<Option<Source>, Interrupted> {
         let field = derivation.system().field();
         let mut polynomial = derivation.polynomial(source).clone();
         let mut multipliers: BTreeMap<Source, Polynomial> = BTreeMap::new();
         loop {
+            control.check()?;
             let eliminable = |(monomial, value): &(Monomial, FieldElement)| {
                 let found =
                     monomial.powers().iter().find_map(|&(v, _)| Some((v, *self.substitutions.get(&v)?)));
@@ -97,13 +102,13 @@ impl Linear {
             *multiplier = multiplier.add(&Polynomial::term(factor, quotient));
         }
         if multipliers.is_empty() || polynomial.is_zero() {
-            return (!polynomial.is_zero()).then_some(source);
+            return Ok((!polynomial.is_zero()).then_some(source));
         }
         let factor = normalizing_factor(&polynomial);
         let mut combination = vec![(source, Polynomial::constant(field.one()).scaled(&factor))];
         combination
             .extend(multipliers.into_iter().map(|(source, multiplier)| (source, multiplier.scaled(&factor))));
-        derivation.derive(combination)
+        derivation.derive(combination, control)
     }
 
     /// Brings the old and the new linear equations to reduced echelon form.
@@ -111,7 +116,7 @@ impl Linear {
         &mut self,
         derivation: &mut Derivation<'_>,
         sources: &[Source],
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Option<Source>, Interrupted> {
         let field = derivation.system().field();
         let mut rows: Vec<Row> = sources
@@ -123,12 +128,13 @@ impl Linear {
             .collect();
         let mut solved: Vec<(u16, Row)> = Vec::new();
         while let Some((position, variable)) = pivot(&rows, self.strategy) {
-            control.check()?;
             let mut row = rows.swap_remove(position);
             let leading = row.equation.coefficient(&Monomial::variable(variable)).expect("the pivot");
             row.scale(&leading.inverse().expect("coefficients are not zero"));
-            let others = rows.iter_mut().chain(solved.iter_mut().map(|(_, other)| other));
-            others.for_each(|other| other.eliminate(variable, &row));
+            for other in rows.iter_mut().chain(solved.iter_mut().map(|(_, other)| other)) {
+                control.check()?;
+                other.eliminate(variable, &row);
+            }
             solved.push((variable, row));
             rows.retain(|row| !row.equation.is_zero());
         }
@@ -140,26 +146,31 @@ impl Linear {
                 .combination
                 .iter()
                 .map(|(&source, factor)| (source, Polynomial::constant(factor * &inverse)));
-            return Ok(derivation.derive(contradiction.collect()));
+            return derivation.derive(contradiction.collect(), control);
         }
         let mut fresh = BTreeMap::new();
         for (variable, row) in solved {
             let combination =
                 row.combination.into_iter().map(|(source, factor)| (source, Polynomial::constant(factor)));
-            fresh
-                .insert(variable, derivation.derive(combination.collect()).expect("a pivot row is not zero"));
+            let row = derivation.derive(combination.collect(), control)?;
+            fresh.insert(variable, row.expect("a pivot row is not zero"));
         }
         // The old substitutions must not mention the variables that are eliminated now.
         let newer = Linear { substitutions: fresh, strategy: self.strategy };
         for equation in self.substitutions.values_mut() {
-            *equation = newer.substitute_linear(derivation, *equation);
+            *equation = newer.substitute_linear(derivation, *equation, control)?;
         }
         self.substitutions.extend(newer.substitutions);
         Ok(None)
     }
 
     /// Like `substitute`, for an equation that stays monic.
-    fn substitute_linear(&self, derivation: &mut Derivation<'_>, source: Source) -> Source {
+    fn substitute_linear(
+        &self,
+        derivation: &mut Derivation<'_>,
+        source: Source,
+        control: &Control,
+    ) -> Result<Source, Interrupted> {
         let field = derivation.system().field();
         let equation = derivation.polynomial(source);
         let used = self.substitutions.iter().filter_map(|(&variable, &other)| {
@@ -168,10 +179,10 @@ impl Linear {
         });
         let mut combination: Vec<_> = used.collect();
         if combination.is_empty() {
-            return source;
+            return Ok(source);
         }
         combination.push((source, Polynomial::constant(field.one())));
-        derivation.derive(combination).expect("its own variable is left")
+        Ok(derivation.derive(combination, control)?.expect("its own variable is left"))
     }
 
     /// The eliminated variables.
@@ -264,7 +275,11 @@ pub(super) fn normalizing_factor(polynomial: &Polynomial) -> FieldElement {
 }
 
 /// 1 from a non-zero constant.
-pub(super) fn unit_from(derivation: &mut Derivation<'_>, constant: Source) -> Option<Source> {
-    let inverse = derivation.polynomial(constant).as_constant()?.inverse()?;
-    derivation.derive_scaled(constant, inverse)
+pub(super) fn unit_from(
+    derivation: &mut Derivation<'_>,
+    constant: Source,
+    control: &Control,
+) -> Result<Option<Source>, Interrupted> {
+    let inverse = derivation.polynomial(constant).as_constant().and_then(|constant| constant.inverse());
+    inverse.map_or(Ok(None), |inverse| derivation.derive_scaled(constant, inverse, control))
 }

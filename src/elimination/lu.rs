@@ -1,6 +1,7 @@
 //! Dense LU decomposition modulo a prime: factor once, solve for many right sides.
 
 use crate::algebra::PrimeField;
+use crate::control::{Control, Interrupted};
 
 /// A·Q = L·U for a regular square matrix A.
 pub(super) struct Decomposition {
@@ -18,13 +19,19 @@ impl Decomposition {
     /// Decomposes the matrix with these rows; `None` if it is singular.
     ///
     /// Row by row, so that each row is summed up in words and reduced once.
-    pub(super) fn new(field: PrimeField, size: usize, mut entries: Vec<u32>) -> Option<Self> {
+    pub(super) fn new(
+        field: PrimeField,
+        size: usize,
+        mut entries: Vec<u32>,
+        control: &Control,
+    ) -> Result<Option<Self>, Interrupted> {
         let p = field.modulus();
         let square = p * p;
         let mut order: Vec<usize> = (0..size).collect();
         let mut inverses: Vec<u64> = Vec::with_capacity(size);
         let mut sums = vec![0u64; size];
         for row in 0..size {
+            control.check()?;
             let (above, below) = entries.split_at_mut(row * size);
             for (sum, &column) in sums.iter_mut().zip(&order) {
                 *sum = u64::from(below[column]);
@@ -44,7 +51,7 @@ impl Decomposition {
             for sum in &mut sums[row..] {
                 *sum = field.remainder(*sum);
             }
-            let pivot = (row..size).find(|&column| sums[column] != 0)?;
+            let Some(pivot) = (row..size).find(|&column| sums[column] != 0) else { return Ok(None) };
             sums.swap(row, pivot);
             order.swap(row, pivot);
             for earlier in above.chunks_exact_mut(size) {
@@ -55,7 +62,7 @@ impl Decomposition {
                 *entry = sum as u32;
             }
         }
-        Some(Decomposition { field, size, entries, order, inverses })
+        Ok(Some(Decomposition { field, size, entries, order, inverses }))
     }
 
     /// x with A·x = right.

@@ -7,12 +7,13 @@
 
 use std::collections::HashMap;
 
-use super::control::{Control, Interrupted, Progress};
 use super::derivation::{Derivation, Source};
 use super::echelon::{Echelon, Inserted, SparseRow};
 use super::lift::{Multiple, lift};
+use super::progress::Progress;
 use super::strategy::{PLAIN, Strategy};
 use crate::algebra::{Monomial, PrimeField, splitting_primes};
+use crate::control::{Control, Interrupted};
 
 /// Columns of a matrix that this engine is willing to reduce.
 const COLUMNS: usize = 100_000;
@@ -67,7 +68,7 @@ impl Macaulay {
     pub(super) fn search(
         &self,
         derivation: &mut Derivation<'_>,
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Search, Interrupted> {
         let mut reached = 0;
         for prime in splitting_primes(derivation.system().field()).take(PRIMES) {
@@ -130,7 +131,7 @@ impl Matrix {
     fn run(
         &mut self,
         derivation: &mut Derivation<'_>,
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Result<Search, Unlucky>, Interrupted> {
         let highest = self.elements.iter().map(|element| self.degree_of(element)).max().unwrap_or(0);
         loop {
@@ -147,14 +148,16 @@ impl Matrix {
             }
             loop {
                 self.multiply(control)?;
-                let fallen = self.fallen();
+                let fallen = self.fallen(control)?;
                 let rank = self.echelon.pivots().count();
                 control.observe(&Progress::Reduced { degree: self.degree, rank, fallen: fallen.len() });
                 if fallen.first() == Some(&0) {
-                    let unit = self.element_leading_in(0);
-                    return Ok(self.realize(unit, derivation, control)?.and_then(|source| {
-                        super::linear::unit_from(derivation, source).map(Search::Unit).ok_or(Unlucky)
-                    }));
+                    let unit = self.element_leading_in(0, control)?;
+                    let unit = match self.realize(unit, derivation, control)? {
+                        Ok(source) => super::linear::unit_from(derivation, source, control)?,
+                        Err(Unlucky) => None,
+                    };
+                    return Ok(unit.map(Search::Unit).ok_or(Unlucky));
                 }
                 let linear: Vec<u32> =
                     fallen.iter().copied().filter(|&c| self.monomials[c as usize].degree() == 1).collect();
@@ -165,11 +168,11 @@ impl Matrix {
                     break;
                 }
                 for column in fallen {
-                    self.element_leading_in(column);
+                    self.element_leading_in(column, control)?;
                 }
             }
             if self.degree >= highest
-                && let Some(basis) = self.closed()
+                && let Some(basis) = self.closed(control)?
             {
                 return Ok(self.realize_all(&basis, derivation, control)?.map(Search::Closed));
             }
@@ -192,7 +195,7 @@ impl Matrix {
     }
 
     /// Inserts all multiples up to the present degree that are not there yet, those of low degree first.
-    fn multiply(&mut self, control: &Control<'_>) -> Result<(), Interrupted> {
+    fn multiply(&mut self, control: &Control) -> Result<(), Interrupted> {
         let mut fresh = Vec::new();
         for index in 0..self.elements.len() {
             let own = self.degree_of(&self.elements[index]);
@@ -214,7 +217,7 @@ impl Matrix {
             let row = self.row(index, &monomial);
             let id = self.rows.len() as u32;
             self.rows.push((index, monomial));
-            self.echelon.insert(id, &row);
+            self.echelon.insert(id, &row, control)?;
         }
         Ok(())
     }
@@ -225,7 +228,7 @@ impl Matrix {
     }
 
     /// The leading columns below the present degree that no element accounts for, minimal under divisibility.
-    fn fallen(&self) -> Vec<u32> {
+    fn fallen(&self, control: &Control) -> Result<Vec<u32>, Interrupted> {
         let mut leading: Vec<Monomial> =
             self.elements.iter().filter_map(|element| Some(element.image.first()?.0.clone())).collect();
         let mut fallen = Vec::new();
@@ -234,17 +237,18 @@ impl Matrix {
             if monomial.degree() >= self.degree {
                 break;
             }
+            control.check()?;
             if leading.iter().all(|other| monomial.quotient(other).is_none()) {
                 leading.push(monomial.clone());
                 fallen.push(column);
             }
         }
-        fallen
+        Ok(fallen)
     }
 
     /// Makes the row that leads in `column` an element, from as few and as simple rows as a greedy choice finds.
-    fn element_leading_in(&mut self, column: u32) -> usize {
-        let combination = &self.echelon.combination(column);
+    fn element_leading_in(&mut self, column: u32, control: &Control) -> Result<usize, Interrupted> {
+        let combination = &self.echelon.combination(column, control)?;
         // The row inserted last is the one that made this column a leading one.
         let last = combination.iter().map(|&(id, _)| id).max().expect("a row is made of rows");
         let mut others: Vec<u32> = combination.iter().map(|&(id, _)| id).filter(|&id| id != last).collect();
@@ -253,16 +257,17 @@ impl Matrix {
 
         let mut above = Echelon::new(self.prime.clone());
         for &id in &others {
-            above.insert(id, &self.truncated(id, column));
+            above.insert(id, &self.truncated(id, column), control)?;
         }
-        let factors = match above.insert(last, &self.truncated(last, column)) {
-            Inserted::Dependent(dependence) => above.relation(&dependence),
+        let factors = match above.insert(last, &self.truncated(last, column), control)? {
+            Inserted::Dependent(dependence) => above.relation(&dependence, control)?,
             Inserted::Pivot(_) => {
                 unreachable!("above its leading column a row is a combination of the others")
             }
         };
         let mut sum = vec![0; column as usize + 1];
         for &(id, factor) in &factors {
+            control.check()?;
             let (index, multiplier) = &self.rows[id as usize];
             for (at, value) in self.row(*index, multiplier).into_iter().filter(|&(at, _)| at <= column) {
                 // Subtracting −factor times the entry adds factor times it.
@@ -276,7 +281,7 @@ impl Matrix {
         rows.push(last);
         self.elements.push(Element { origin: Origin::Fallen { rows, leading: column }, image });
         self.multiplied.push(None);
-        self.elements.len() - 1
+        Ok(self.elements.len() - 1)
     }
 
     /// The part of a row above a column.
@@ -287,28 +292,35 @@ impl Matrix {
 
     /// The minimal leading columns, if every critical pair of their monomials is within the present degree
     /// (then the echelon form has reduced every S-polynomial: Buchberger's criterion).
-    fn closed(&self) -> Option<Vec<u32>> {
+    fn closed(&self, control: &Control) -> Result<Option<Vec<u32>>, Interrupted> {
         let mut minimal: Vec<u32> = Vec::new();
         let monomial = |column: u32| &self.monomials[column as usize];
         for column in self.echelon.pivots() {
+            control.check()?;
             if minimal.iter().all(|&other| monomial(column).quotient(monomial(other)).is_none()) {
                 minimal.push(column);
             }
         }
-        let pairs = minimal.iter().enumerate().flat_map(|(k, &a)| minimal[..k].iter().map(move |&b| (a, b)));
-        let mut critical = pairs.filter(|&(a, b)| !monomial(a).is_coprime_to(monomial(b)));
-        critical.all(|(a, b)| monomial(a).lcm(monomial(b)).degree() <= self.degree).then_some(minimal)
+        for (k, &a) in minimal.iter().enumerate() {
+            control.check()?;
+            let mut critical =
+                minimal[..k].iter().map(|&b| monomial(b)).filter(|b| !monomial(a).is_coprime_to(b));
+            if critical.any(|b| monomial(a).lcm(b).degree() > self.degree) {
+                return Ok(None);
+            }
+        }
+        Ok(Some(minimal))
     }
 
     fn realize_all(
         &mut self,
         columns: &[u32],
         derivation: &mut Derivation<'_>,
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Result<Vec<Source>, Unlucky>, Interrupted> {
         let mut found = Vec::new();
         for &column in columns {
-            let element = self.element_leading_in(column);
+            let element = self.element_leading_in(column, control)?;
             match self.realize(element, derivation, control)? {
                 Ok(source) => found.push(source),
                 Err(Unlucky) => return Ok(Err(Unlucky)),
@@ -322,7 +334,7 @@ impl Matrix {
         &mut self,
         element: usize,
         derivation: &mut Derivation<'_>,
-        control: &Control<'_>,
+        control: &Control,
     ) -> Result<Result<Source, Unlucky>, Interrupted> {
         if let Some(&source) = self.lifted.get(&element) {
             return Ok(Ok(source));

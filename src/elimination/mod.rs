@@ -12,7 +12,6 @@
 mod choice;
 mod closure;
 mod compact;
-mod control;
 mod derivation;
 mod echelon;
 mod eliminant;
@@ -22,6 +21,7 @@ mod linear;
 mod lu;
 mod macaulay;
 mod points;
+mod progress;
 mod reconstruct;
 mod rescale;
 mod solve;
@@ -31,14 +31,15 @@ mod system;
 
 pub use choice::{ChosenZero, Tried, VALUES, choose};
 pub use closure::{Closure, Eliminant};
-pub use control::{Control, Interrupted, Progress};
 pub use derivation::{Derivation, NamedStep, Source};
 pub use echelon::{Combination, Dependence, Echelon, Inserted, SparseRow};
 pub use points::{points_in_field, zeros_in_field};
+pub use progress::Progress;
 pub use solve::solve;
 pub use system::System;
 
 use crate::algebra::FieldElement;
+use crate::control::{Control, Interrupted};
 use linear::{Absorbed, Linear};
 use macaulay::{Macaulay, Search};
 use strategy::{SHORT, Strategy};
@@ -67,24 +68,17 @@ pub enum Undecided {
         matrix: (usize, usize),
     },
     /// Stopped by the user, by the clock or for want of memory.
-    Interrupted {
-        /// Why.
-        why: Interrupted,
-        /// What was going on.
-        reached: Option<Progress>,
-    },
+    Interrupted(Interrupted),
 }
 
 /// Eliminates until 1, a point, or neither is found; with what was derived on the way.
-pub fn eliminate<'a>(system: &'a System, control: &Control<'_>) -> (Derivation<'a>, Outcome) {
+pub fn eliminate<'a>(system: &'a System, control: &Control) -> (Derivation<'a>, Outcome) {
     for strategy in [Strategy::Plain, Strategy::Thorough] {
         let mut derivation = Derivation::new(system);
         let outcome = match run(&mut derivation, strategy, control) {
             Ok(outcome) => outcome,
             Err(why) => {
-                let reached = control.reached.borrow().clone();
-                let stopped = Outcome::Open(Undecided::Interrupted { why, reached });
-                return (derivation, stopped);
+                return (derivation, Outcome::Open(Undecided::Interrupted(why)));
             }
         };
         let again = match &outcome {
@@ -102,7 +96,7 @@ pub fn eliminate<'a>(system: &'a System, control: &Control<'_>) -> (Derivation<'
 fn run(
     derivation: &mut Derivation<'_>,
     strategy: Strategy,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Outcome, Interrupted> {
     let mut linear = Linear::new(strategy);
     let mut equations = derivation.generators();

@@ -1,13 +1,13 @@
 //! Isolated zeros with coordinates in K: the roots of one eliminant after another, the rest solved anew.
 
 use super::closure::{Closure, Eliminant};
-use super::control::{Control, Interrupted};
 use super::derivation::Derivation;
 use super::eliminant::eliminant;
 use super::strategy::Strategy;
 use super::system::System;
 use super::{Outcome, Undecided, run};
 use crate::algebra::{FieldElement, Monomial, Polynomial};
+use crate::control::{Control, Interrupted};
 
 /// Zeros that are collected at most.
 const POINTS: usize = 64;
@@ -19,7 +19,7 @@ const ZEROS: usize = 100;
 fn only_eliminant(
     system: &System,
     closure: &Closure,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Option<Eliminant>, Interrupted> {
     let few = closure.verified && closure.zeros.is_some_and(|count| count <= ZEROS);
     let variable = closure.basis.iter().flat_map(Polynomial::variables).min();
@@ -33,7 +33,7 @@ fn only_eliminant(
 /// is not solved by linear equations alone.
 pub fn zeros_in_field(
     system: &System,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<(Vec<Vec<FieldElement>>, Option<Closure>), Interrupted> {
     Ok(match run(&mut Derivation::new(system), Strategy::Thorough, control)? {
         Outcome::Point(point) => (vec![point], None),
@@ -49,7 +49,7 @@ pub fn zeros_in_field(
 pub fn points_in_field(
     system: &System,
     closure: &Closure,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<Vec<FieldElement>>, Interrupted> {
     // The variable with the fewest possible values: each is tried in turn.
     let only = only_eliminant(system, closure, control)?;

@@ -5,6 +5,7 @@
 use super::compact::{length_of_polynomial, length_of_term};
 use super::derivation::{DerivedStep, Source};
 use crate::algebra::{FieldElement, Integer, MultiquadraticField, Polynomial};
+use crate::control::{Control, Interrupted};
 
 /// Characters beyond which a step and its users are not looked at.
 const LENGTH: usize = 3_000;
@@ -13,11 +14,13 @@ const LENGTH: usize = 3_000;
 type Unit = (FieldElement, FieldElement);
 
 /// Rescales all conclusions but the last, which is 1.
-pub(super) fn rescale(steps: &mut [Option<DerivedStep>]) {
-    let Some(field) = steps.iter().flatten().map(|step| step.conclusion.field()).next() else { return };
+pub(super) fn rescale(steps: &mut [Option<DerivedStep>], control: &Control) -> Result<(), Interrupted> {
+    let Some(field) = steps.iter().flatten().map(|step| step.conclusion.field()).next() else {
+        return Ok(());
+    };
     let factors = small_elements(field);
     for k in (0..steps.len().saturating_sub(1)).rev() {
-        while let Some((factor, inverse)) = better(k, steps, &factors) {
+        while let Some((factor, inverse)) = better(k, steps, &factors, control)? {
             for (_, multiplier) in steps
                 .iter_mut()
                 .flatten()
@@ -34,11 +37,17 @@ pub(super) fn rescale(steps: &mut [Option<DerivedStep>]) {
             }
         }
     }
+    Ok(())
 }
 
 /// The factor that shortens step `k` and its users most, if any does.
-fn better(k: usize, steps: &[Option<DerivedStep>], factors: &[Unit]) -> Option<Unit> {
-    let step = steps[k].as_ref()?;
+fn better(
+    k: usize,
+    steps: &[Option<DerivedStep>],
+    factors: &[Unit],
+    control: &Control,
+) -> Result<Option<Unit>, Interrupted> {
+    let Some(step) = &steps[k] else { return Ok(None) };
     let own: Vec<&Polynomial> =
         std::iter::once(&step.conclusion).chain(step.combination.iter().map(|(_, by)| by)).collect();
     let premises = steps.iter().flatten().flat_map(|user| &user.combination);
@@ -46,10 +55,11 @@ fn better(k: usize, steps: &[Option<DerivedStep>], factors: &[Unit]) -> Option<U
         premises.filter(|(premise, _)| *premise == Source::Derived(k)).map(|(_, by)| by).collect();
     let now: usize = own.iter().chain(&used).map(|by| length_of_polynomial(by)).sum();
     if now > LENGTH {
-        return None;
+        return Ok(None);
     }
     let (mut best, mut shortest) = (None, now);
     for unit in factors {
+        control.check()?;
         let (factor, inverse) = unit;
         let scaled = own.iter().map(|by| (by, factor)).chain(used.iter().map(|by| (by, inverse)));
         // Most factors are found to be worse after a few terms.
@@ -65,7 +75,7 @@ fn better(k: usize, steps: &[Option<DerivedStep>], factors: &[Unit]) -> Option<U
             (best, shortest) = (Some(unit), length);
         }
     }
-    best.cloned()
+    Ok(best.cloned())
 }
 
 /// Small elements of K and their inverses.

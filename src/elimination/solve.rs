@@ -6,11 +6,12 @@
 
 use rayon::prelude::*;
 
-use super::control::{Control, Interrupted, Progress};
 use super::echelon::{Echelon, Inserted, SparseRow};
 use super::lu::Decomposition;
+use super::progress::Progress;
 use super::reconstruct::reconstruct;
 use crate::algebra::{FieldElement, Integer, MultiquadraticField, PrimeField};
+use crate::control::{Control, Interrupted};
 
 /// Entries up to this are multiplied in machine words: 2⁶⁰ · p · (terms of a sum) stays below 2¹²⁷.
 const SMALL: u64 = 60;
@@ -31,32 +32,32 @@ pub fn solve(
     right: impl Fn(u32) -> Option<FieldElement>,
     prime: &PrimeField,
     field: MultiquadraticField,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Option<(Vec<FieldElement>, Integer)>, Interrupted> {
     let mut echelon = Echelon::new(prime.clone());
     let mut columns = Vec::new();
     for (id, row) in (0..).zip(rows) {
-        match echelon.insert(id, row) {
+        match echelon.insert(id, row, control)? {
             Inserted::Pivot(column) => columns.push(column),
             Inserted::Dependent(_) => return Ok(None),
         }
     }
     drop(echelon);
-    let equations: Vec<Equation> = columns
-        .iter()
-        .map(|&column| Equation::new(rows.len(), |k| entry(k, column), right(column), field))
-        .collect();
-    let Some(mut lifting) = Lifting::new(equations, prime, field) else { return Ok(None) };
+    let mut equations = Vec::with_capacity(columns.len());
+    for column in columns {
+        control.check()?;
+        equations.push(Equation::new(rows.len(), |k| entry(k, column), right(column), field));
+    }
+    let Some(mut lifting) = Lifting::new(equations, prime, field, control)? else { return Ok(None) };
     let most = lifting.enough_digits();
     let mut attempt = FIRST_ATTEMPT;
     while lifting.digits.len() <= most {
-        control.check()?;
-        lifting.step();
+        lifting.step(control)?;
         if lifting.digits.len() == attempt {
             if attempt >= MANY {
                 control.observe(&Progress::Digits { digits: attempt });
             }
-            if let Some(solution) = lifting.solution() {
+            if let Some(solution) = lifting.solution(control)? {
                 return Ok(Some(solution));
             }
             attempt += attempt / 3;
@@ -150,31 +151,39 @@ struct Lifting {
 }
 
 impl Lifting {
-    fn new(equations: Vec<Equation>, prime: &PrimeField, field: MultiquadraticField) -> Option<Self> {
+    fn new(
+        equations: Vec<Equation>,
+        prime: &PrimeField,
+        field: MultiquadraticField,
+        control: &Control,
+    ) -> Result<Option<Self>, Interrupted> {
         let size = equations.len();
         let decompose = |embedding: PrimeField| {
             let mut matrix = vec![0u32; size * size];
             for (row, equation) in matrix.chunks_exact_mut(size.max(1)).zip(&equations) {
+                control.check()?;
                 for (k, entry) in &equation.entries {
                     row[*k] = embedding.combine(entry) as u32;
                 }
             }
-            Some((embedding.clone(), Decomposition::new(embedding, size, matrix)?))
+            let decomposition = Decomposition::new(embedding.clone(), size, matrix, control)?;
+            Ok(decomposition.map(|decomposition| (embedding, decomposition)))
         };
         let embeddings = prime.embeddings();
-        let embeddings: Option<Vec<_>> = if size < SEQUENTIAL {
+        let embeddings: Result<Vec<Option<_>>, Interrupted> = if size < SEQUENTIAL {
             embeddings.into_iter().map(decompose).collect()
         } else {
             embeddings.into_par_iter().map(decompose).collect()
         };
-        Some(Lifting {
-            embeddings: embeddings?,
+        let Some(embeddings) = embeddings?.into_iter().collect() else { return Ok(None) };
+        Ok(Some(Lifting {
+            embeddings,
             p: Integer::from(prime.modulus() as i64),
             roots: (0..field.degree()).map(|subset| field.under_root(subset)).collect(),
             field,
             equations,
             digits: Vec::new(),
-        })
+        }))
     }
 
     /// Digits that suffice for certain, with room for the last attempt: Hadamard's bound for the equations over Q.
@@ -190,7 +199,8 @@ impl Lifting {
     }
 
     /// One more p-adic digit of every coordinate.
-    fn step(&mut self) {
+    fn step(&mut self, control: &Control) -> Result<(), Interrupted> {
+        control.check()?;
         let solve = |(embedding, decomposition): &(PrimeField, Decomposition)| {
             let right: Vec<u64> = self.equations.iter().map(|e| embedding.combine(&e.residue)).collect();
             decomposition.solve(&right)
@@ -209,31 +219,39 @@ impl Lifting {
         self.equations
             .par_iter_mut()
             .with_min_len(SEQUENTIAL)
-            .for_each(|equation| equation.advance(&digits, p, roots));
+            .try_for_each(|equation| control.check().map(|()| equation.advance(&digits, p, roots)))?;
         self.digits.push(digits);
+        Ok(())
     }
 
     /// The solution, if the digits suffice.
-    fn solution(&self) -> Option<(Vec<FieldElement>, Integer)> {
+    fn solution(&self, control: &Control) -> Result<Option<(Vec<FieldElement>, Integer)>, Interrupted> {
         let mut powers = vec![self.p.clone()];
         while 1 << powers.len() < self.digits.len() {
             let last = powers.last().expect("at least p");
             powers.push(last * last);
         }
-        let modulus = (0..self.digits.len()).fold(Integer::one(), |product, _| &product * &self.p);
+        let mut modulus = Integer::one();
+        for _ in &self.digits {
+            control.check()?;
+            modulus = &modulus * &self.p;
+        }
         let degree = self.field.degree();
-        let residues: Vec<Integer> = (0..self.equations.len() * degree)
+        let residues: Result<Vec<Integer>, Interrupted> = (0..self.equations.len() * degree)
             .into_par_iter()
             .with_min_len(SEQUENTIAL)
             .map(|index| {
+                control.check()?;
                 let digits: Vec<i64> =
                     self.digits.iter().map(|digits| digits[index / degree][index % degree]).collect();
-                evaluate(&digits, &powers)
+                Ok(evaluate(&digits, &powers))
             })
             .collect();
-        let (numerators, denominator) = reconstruct(&residues, &modulus)?;
+        let Some((numerators, denominator)) = reconstruct(&residues?, &modulus, control)? else {
+            return Ok(None);
+        };
         let integral = |coordinates: &[Integer]| self.field.element(coordinates.to_vec(), Integer::one());
-        Some((numerators.chunks(degree).map(integral).collect(), denominator))
+        Ok(Some((numerators.chunks(degree).map(integral).collect(), denominator)))
     }
 }
 

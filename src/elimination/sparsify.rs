@@ -3,9 +3,9 @@
 //! Mirror images of a coefficient of the surface condition often differ in the signs of some squares only; sums and
 //! differences of such equations have half the terms, and everything that is done with them later is shorter by half.
 
-use super::control::{Control, Interrupted};
 use super::derivation::{Derivation, Source};
 use crate::algebra::{FieldElement, Polynomial};
+use crate::control::{Control, Interrupted};
 
 /// Equations beyond which all pairs are too many to look at.
 const EQUATIONS: usize = 100;
@@ -15,7 +15,7 @@ const EQUATIONS: usize = 100;
 pub(super) fn sparsify(
     derivation: &mut Derivation<'_>,
     equations: Vec<Source>,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<Source>, Interrupted> {
     let (mut short, linear): (Vec<Source>, Vec<Source>) = equations
         .into_iter()
@@ -24,17 +24,18 @@ pub(super) fn sparsify(
         let mut k = 0;
         let mut unchanged = 0;
         while unchanged < short.len() {
-            control.check()?;
             let f = derivation.polynomial(short[k]);
-            let others = short.iter().filter(|&&other| other != short[k]);
-            let shorter =
-                others.filter_map(|&other| Some((other, shortening(f, derivation.polynomial(other))?)));
-            match shorter.min_by_key(|&(other, (terms, _))| (terms, other)) {
+            let mut shorter = Vec::new();
+            for &other in short.iter().filter(|&&other| other != short[k]) {
+                control.check()?;
+                shorter.extend(shortening(f, derivation.polynomial(other)).map(|shorter| (other, shorter)));
+            }
+            match shorter.into_iter().min_by_key(|&(other, (terms, _))| (terms, other)) {
                 Some((other, (_, factor))) => {
                     let one = derivation.system().field().one();
                     let combination =
                         vec![(short[k], Polynomial::constant(one)), (other, Polynomial::constant(factor))];
-                    match derivation.derive(combination) {
+                    match derivation.derive(combination, control)? {
                         Some(sum) => short[k] = sum,
                         None => {
                             short.remove(k);

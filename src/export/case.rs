@@ -7,7 +7,8 @@ use num_rational::BigRational;
 
 use super::text::harmless;
 use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::exact::{Limit, Polynomial, Radicands, Stop, Work};
+use crate::control::{Control, Interrupted};
+use crate::exact::{Limit, Polynomial, Radicands, Stop};
 use crate::statement::{HomogeneousPoint, Patch, Statement, Subject};
 
 /// What is exported: the equations and why they have no common zero, or the one they have.
@@ -29,6 +30,8 @@ pub struct Case {
     pub subject: Subject,
     /// The argument.
     pub argument: Reasoning,
+    /// What may stop the export.
+    pub control: Control,
 }
 
 /// Why the claim holds.
@@ -70,6 +73,9 @@ pub enum ExportError {
     /// The values could not be put in.
     #[error(transparent)]
     Limit(#[from] Limit),
+    /// Interrupted.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
     /// The equations could not be derived.
     #[error("{0}")]
     Equations(#[from] Stop),
@@ -81,13 +87,26 @@ impl Case {
     /// # Errors
     /// [`ExportError::Claim`] for arguments by subdivision, [`ExportError::Limit`] where values cannot be put in.
     pub fn new(statement: &Statement, certificate: &Certificate) -> Result<Case, ExportError> {
+        Case::within(statement, certificate, &Control::default())
+    }
+
+    /// The same, where the export may be stopped.
+    ///
+    /// # Errors
+    /// As [`Case::new`] has them.
+    pub fn within(
+        statement: &Statement,
+        certificate: &Certificate,
+        control: &Control,
+    ) -> Result<Case, ExportError> {
+        control.check()?;
         let field = statement.field().clone();
         let (argument, subject) = match &certificate.argument {
             Argument::Impossible(steps) => {
                 (Reasoning::Impossible(steps.clone()), statement.subject().clone())
             }
             Argument::Exact(values) => {
-                (Reasoning::Exact(values.clone()), with_values(statement.subject(), values, &field)?)
+                (Reasoning::Exact(values.clone()), with_values(statement.subject(), values, &field, control)?)
             }
             Argument::Bounds(_) => return Err(ExportError::Claim("bounds")),
             Argument::Unreachable(_) => return Err(ExportError::Claim("unreachable")),
@@ -96,7 +115,7 @@ impl Case {
         let assumptions = match &argument {
             Reasoning::Impossible(_) => statement.nonzero().to_vec(),
             Reasoning::Exact(values) => {
-                let at = |assumed: &Polynomial| assumed.substitute(values, &field, &mut Work::full());
+                let at = |assumed: &Polynomial| assumed.substitute(values, &field, &mut control.work());
                 statement.nonzero().iter().map(at).collect::<Result<_, _>>()?
             }
         };
@@ -109,6 +128,7 @@ impl Case {
             assumptions,
             subject,
             argument,
+            control: control.clone(),
         })
     }
 
@@ -154,8 +174,13 @@ impl Case {
     }
 }
 
-fn with_values(subject: &Subject, values: &[Polynomial], field: &Radicands) -> Result<Subject, Limit> {
-    let mut work = Work::full();
+fn with_values(
+    subject: &Subject,
+    values: &[Polynomial],
+    field: &Radicands,
+    control: &Control,
+) -> Result<Subject, Limit> {
+    let mut work = control.work();
     let mut at = |polynomial: &Polynomial| polynomial.substitute(values, field, &mut work);
     Ok(match subject {
         Subject::System(polynomials) => {

@@ -11,11 +11,15 @@ use num_traits::Zero;
 use super::case::{Case, ExportError};
 use crate::certificate::Premise;
 use crate::checker::Equations;
-use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work, combination};
+use crate::control::Control;
+use crate::exact::{Limit, Monomial, Polynomial, Radicands, combination};
 
 /// Σ aᵢ·bᵢ over Q in the generators, nothing reduced.
-pub(super) fn sum_of_products(pairs: &[(&Polynomial, &Polynomial)]) -> Result<Polynomial, Limit> {
-    combination(pairs, &rationals(), &mut Work::full())
+pub(super) fn sum_of_products(
+    pairs: &[(&Polynomial, &Polynomial)],
+    control: &Control,
+) -> Result<Polynomial, Limit> {
+    combination(pairs, &rationals(), &mut control.work())
 }
 
 /// Q: the generators that were roots are variables like others.
@@ -95,7 +99,7 @@ pub(super) fn root_equations(radicands: &[u32]) -> Result<Vec<Polynomial>, Limit
 /// # Errors
 /// [`ExportError::Premise`] for a name that means nothing: the certificate need not be right.
 pub(super) fn used_equations(case: &Case) -> Result<Vec<(Premise, Polynomial)>, ExportError> {
-    let equations = Equations::of(&case.statement, &mut Work::full())?;
+    let equations = Equations::of(&case.statement, &mut case.control.work())?;
     let named = case.premises().into_iter().map(|premise| {
         let equation = equations.get(premise).ok_or(ExportError::Premise(premise))?;
         Ok((premise, lift(case, equation)?))
@@ -106,6 +110,7 @@ pub(super) fn used_equations(case: &Case) -> Result<Vec<(Premise, Polynomial)>, 
 #[cfg(test)]
 mod tests {
     use super::{quotients, root_equations, sum_of_products};
+    use crate::control::Control;
     use crate::exact::{Polynomial, Ring, Work};
 
     fn ring() -> Ring {
@@ -133,7 +138,11 @@ mod tests {
                 (Polynomial::integer(1), read(text), root_equations(&radicands).unwrap());
             let mut pairs: Vec<_> = negated.iter().zip(&equations).collect();
             pairs.push((&one, &polynomial));
-            assert_eq!(ring().spell(&sum_of_products(&pairs).unwrap()), ring().spell(&read(rest)), "{text}");
+            assert_eq!(
+                ring().spell(&sum_of_products(&pairs, &Control::default()).unwrap()),
+                ring().spell(&read(rest)),
+                "{text}"
+            );
         }
     }
 }

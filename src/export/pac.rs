@@ -19,6 +19,7 @@ use super::case::{Case, ExportError, Reasoning};
 use super::flat::{lift, quotients, root_equations, sum_of_products, used_equations};
 use super::integral::scaled;
 use crate::certificate::{Premise, Step};
+use crate::control::Control;
 use crate::exact::{Limit, Monomial, Polynomial};
 
 /// The largest exponent that is written as such: more than one digit may be refused.
@@ -117,6 +118,7 @@ impl Proof {
 
     /// Products, then their sum, then what it comes to *according to the certificate*. Returns what 1 would be there.
     fn step(&mut self, case: &Case, step: &Step, last: bool) -> Result<BigInt, ExportError> {
+        case.control.check()?;
         let mut factors = Vec::with_capacity(step.combination.len());
         for (premise, multiplier) in &step.combination {
             let line = self.premise(*premise)?;
@@ -134,13 +136,13 @@ impl Proof {
             *factor = scaled(factor, &scale);
         }
         let pairs: Vec<_> = factors.iter().map(|(_, premise, factor)| (factor, premise)).collect();
-        let quotients = quotients(&sum_of_products(&pairs)?, &self.radicands)?;
+        let quotients = quotients(&sum_of_products(&pairs, &case.control)?, &self.radicands)?;
         for (root, quotient) in self.roots.iter().zip(quotients) {
             if !quotient.is_zero() {
                 factors.push((root.number, root.polynomial.clone(), quotient.negate()));
             }
         }
-        self.combine(factors, &conclusion)?;
+        self.combine(factors, &conclusion, &case.control)?;
         let number = self.last;
         self.steps.push(Line { number, polynomial: conclusion, scale: scale.clone() });
         Ok(scale.to_integer())
@@ -151,11 +153,12 @@ impl Proof {
         &mut self,
         factors: Vec<(usize, Polynomial, Polynomial)>,
         conclusion: &Polynomial,
+        control: &Control,
     ) -> Result<(), Limit> {
         let only = factors.len() == 1;
         let mut summands = Vec::with_capacity(factors.len());
         for (number, polynomial, factor) in factors {
-            let product = sum_of_products(&[(&polynomial, &factor)])?;
+            let product = sum_of_products(&[(&polynomial, &factor)], control)?;
             let rule = format!("* {number}, {}", self.spell(&factor));
             summands.push((self.rule(&rule, if only { conclusion } else { &product }), product));
         }
@@ -168,7 +171,7 @@ impl Proof {
                     continue;
                 };
                 let one = Polynomial::integer(1);
-                let sum = sum_of_products(&[(&one, p), (&one, q)])?;
+                let sum = sum_of_products(&[(&one, p), (&one, q)], control)?;
                 let stated = if final_round { conclusion } else { &sum };
                 sums.push((self.rule(&format!("+ {a}, {b}"), stated), sum));
             }

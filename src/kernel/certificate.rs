@@ -15,6 +15,9 @@ use crate::claims::EXPECTED;
 use crate::exact::{Ring, Work};
 use crate::text::{Reader, check_text};
 
+/// The first line, and the version in it.
+const HEADERS: [(&str, u32); 2] = [("prove-cap certificate 1", 1), ("prove-cap certificate 2", 2)];
+
 /// An argument for a claim about the statement with a certain hash.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Certificate {
@@ -30,6 +33,16 @@ impl Certificate {
         let version = format!("prove-cap certificate {}", self.argument.version());
         let first = vec![version, format!("statement sha256 {}", self.statement)];
         self.argument.write(ring, first)
+    }
+
+    /// The hash of the statement that a file says it is for, all that is looked at being its first two lines; `None` where
+    /// they are not those of a certificate, of which [`read`](Certificate::read) has more to say.
+    pub fn statement_of(bytes: &[u8]) -> Option<&str> {
+        let mut lines = bytes.splitn(3, |&byte| byte == b'\n');
+        let (header, line) = (lines.next()?, lines.next()?);
+        let hash = std::str::from_utf8(line).ok()?.strip_prefix("statement sha256 ")?;
+        let known = HEADERS.iter().any(|(text, _)| header == text.as_bytes());
+        (known && is_hash(hash)).then_some(hash)
     }
 
     /// Reads a certificate, spelled with the names of `ring`.
@@ -49,11 +62,9 @@ impl Certificate {
         let mut reader = Reader::new(text, ring, unknowns, work);
         let header = "`prove-cap certificate 1` or `prove-cap certificate 2`";
         let line = reader.next(header)?;
-        reader.version = match line {
-            "prove-cap certificate 1" => 1,
-            "prove-cap certificate 2" => 2,
-            _ => return Err(reader.unexpected(line, header)),
-        };
+        let known = HEADERS.iter().find(|(text, _)| line == *text);
+        let (_, version) = known.ok_or_else(|| reader.unexpected(line, header))?;
+        reader.version = *version;
         let older = reader.unexpected(line, "`prove-cap certificate 1`");
         let expected = "`statement sha256 ` and 64 lower-case hexadecimal digits";
         let line = reader.next(expected)?;

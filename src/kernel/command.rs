@@ -19,10 +19,25 @@ pub fn read_limited(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
 }
 
 /// What the checker says of two files.
+///
+/// # Errors
+/// Where a file cannot be read, or a limit is reached.
 pub fn examine(statement: &Path, certificate: &Path) -> Result<Result<Theorem, String>, Failure> {
+    examine_within(statement, certificate, &mut Work::full())
+}
+
+/// The same with an allowance that the caller holds.
+///
+/// # Errors
+/// As [`examine`] has them.
+pub fn examine_within(
+    statement: &Path,
+    certificate: &Path,
+    work: &mut Work,
+) -> Result<Result<Theorem, String>, Failure> {
     let statement_bytes = read_limited(statement, limits::STATEMENT_BYTES)?;
     let certificate_bytes = read_limited(certificate, limits::CERTIFICATE_BYTES)?;
-    match checker::check(&statement_bytes, &certificate_bytes) {
+    match checker::check_within(&statement_bytes, &certificate_bytes, work) {
         Ok(theorem) => Ok(Ok(theorem)),
         Err(CheckError::Rejected(rejection)) => Ok(Err(rejection.to_string())),
         Err(CheckError::Statement(error)) => Err(Failure(format!("{}:{error}", statement.display()))),

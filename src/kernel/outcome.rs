@@ -13,6 +13,8 @@ pub enum Status {
     Wrong,
     /// 3: UNDECIDED.
     Undecided,
+    /// 2: ERROR, where it is told as data on stdout; else it is a [`Failure`].
+    Failed,
 }
 
 /// What a command prints on stdout, and how it exits.
@@ -60,6 +62,7 @@ pub fn finish(result: Result<Outcome, Failure>) -> ExitCode {
             Status::Established => ExitCode::SUCCESS,
             Status::Wrong => ExitCode::from(1),
             Status::Undecided => ExitCode::from(3),
+            Status::Failed => ExitCode::from(2),
         },
         Err(Failure(message)) => {
             let _ = writeln!(std::io::stderr().lock(), "ERROR: {}", message.trim_end());

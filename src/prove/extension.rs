@@ -2,7 +2,8 @@
 
 use super::field_of;
 use crate::algebra::{FieldElement, MultiquadraticField, Univariate, polynomial_from_exact};
-use crate::elimination::{Closure, Control, Eliminant, Interrupted, System, zeros_in_field};
+use crate::control::{Control, Interrupted};
+use crate::elimination::{Closure, Eliminant, System, zeros_in_field};
 use crate::exact::limits;
 use crate::statement::{Statement, Subject};
 
@@ -23,7 +24,7 @@ pub(super) fn find(
     statement: &Statement,
     system: &System,
     closure: &Closure,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Option<Extension>, Interrupted> {
     let Some(eliminant) = rootless(closure) else { return Ok(None) };
     for larger in larger_fields(&eliminant.polynomial, control)? {
@@ -44,7 +45,7 @@ fn within(
     statement: &Statement,
     system: &System,
     larger: MultiquadraticField,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Option<Extension>, Interrupted> {
     let lifted = system.over(larger);
     let (zeros, closure) = zeros_in_field(&lifted, control)?;
@@ -92,7 +93,7 @@ fn is_solution(statement: &Statement, lifted: &System, zero: &[FieldElement]) ->
 /// K or d times one. For higher degrees one or two of [`PRIMES`] are tried.
 fn larger_fields(
     polynomial: &Univariate,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Vec<MultiquadraticField>, Interrupted> {
     let field = polynomial.field();
     let squarefree = polynomial.squarefree();

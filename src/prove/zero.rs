@@ -7,7 +7,8 @@ use crate::algebra::{FieldElement, Polynomial, polynomial_from_exact, polynomial
 use crate::bezier::{Image, image};
 use crate::certificate::Argument;
 use crate::checker::{CheckError, Claim, ExactNet, ExactRejection, Rejection};
-use crate::elimination::{ChosenZero, Closure, Control, System, Tried, choose};
+use crate::control::Control;
+use crate::elimination::{ChosenZero, Closure, System, Tried, choose};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
 /// What was free where there are infinitely many zeros.
@@ -60,8 +61,9 @@ impl Best {
         statement: &Statement,
         zero: Vec<FieldElement>,
         freedom: &Freedom,
+        control: &Control,
     ) -> ControlFlow<()> {
-        match certified(statement, zero) {
+        match certified(statement, zero, control) {
             Ok(Some(mut attempt)) => {
                 let rank = rank(&attempt);
                 if let Attempt::Proved { freedom: of_attempt, .. } = &mut attempt {
@@ -78,7 +80,7 @@ impl Best {
                 self.failure = self.failure.take().or(Some(limit));
                 ControlFlow::Continue(())
             }
-            Err(error @ NoAnswer::Error(_)) => {
+            Err(error) => {
                 self.failure = Some(error);
                 ControlFlow::Break(())
             }
@@ -88,17 +90,22 @@ impl Best {
     /// The best, or what went wrong.
     pub(super) fn take(self) -> Result<Option<Attempt>, NoAnswer> {
         match (self.failure, self.found) {
-            (Some(error @ NoAnswer::Error(_)), _) | (Some(error), None) => Err(error),
+            (Some(NoAnswer::Limit(_)), Some((_, found))) => Ok(Some(found)),
+            (Some(error), _) => Err(error),
             (_, found) => Ok(found.map(|(_, attempt)| attempt)),
         }
     }
 }
 
 /// A zero as the checker accepts it; `None` where it makes no patch.
-fn certified(statement: &Statement, zero: Vec<FieldElement>) -> Result<Option<Attempt>, NoAnswer> {
+fn certified(
+    statement: &Statement,
+    zero: Vec<FieldElement>,
+    control: &Control,
+) -> Result<Option<Attempt>, NoAnswer> {
     let constants = zero.into_iter().take(statement.unknowns().len()).map(Polynomial::constant);
     let values = constants.map(|value| polynomial_to_exact(&value)).collect::<Result<_, _>>()?;
-    match checked(statement, Argument::Exact(values)) {
+    match checked(statement, Argument::Exact(values), control) {
         Ok(attempt) => Ok(Some(attempt)),
         Err(CheckError::Rejected(Rejection::Exact(ExactRejection::NoDenominator))) => Ok(None),
         Err(refused) => Err(refused.into()),
@@ -110,7 +117,7 @@ pub(super) fn one_of_many(
     statement: &Statement,
     system: &System,
     closure: Closure,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Attempt, NoAnswer> {
     let unknowns = statement.unknowns().len();
     let occurs = |k: usize| {
@@ -126,12 +133,12 @@ pub(super) fn one_of_many(
     let mut best = Best::default();
     let tried = choose(system, &closure, &weights_first(statement), control, &mut |zero| {
         let freedom = freedom(&zero);
-        best.consider(statement, zero.zero, &freedom)
+        best.consider(statement, zero.zero, &freedom, control)
     });
     // What was certified before an interruption stays certified.
     match (best.take()?, tried) {
         (Some(attempt), _) => Ok(attempt),
-        (None, Err(why)) => Ok(interrupted(why, control)),
+        (None, Err(why)) => Ok(interrupted(why)),
         (None, Ok(tried)) => Ok(undecided(statement, system, closure, Some(tried), control)),
     }
 }
@@ -156,7 +163,7 @@ pub(super) fn undecided(
     system: &System,
     closure: Closure,
     tried: Option<Tried>,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Attempt {
     let isolated = tried.as_ref().and_then(|tried| tried.isolated.as_ref());
     let (of, its_closure) = isolated.map_or((system, &closure), |(system, closure)| (system, closure));

@@ -6,9 +6,12 @@ use std::path::PathBuf;
 use super::headline::{headline as proved, surface_equation};
 use super::refutation::refutation;
 use super::solution::solution;
+use super::stopped::cut_short;
 use super::undecided::{headline, reason_text};
 use crate::checker::Claim;
+use crate::control::Control;
 use crate::exact::Limit;
+use crate::expand::ExpansionError;
 use crate::prove::Attempt;
 use crate::statement::Statement;
 
@@ -35,6 +38,7 @@ pub fn describe(
     cap: bool,
     attempt: &Attempt,
     files: Option<&Files>,
+    control: &Control,
 ) -> Result<String, Limit> {
     let mut text = String::new();
     match attempt {
@@ -48,9 +52,15 @@ pub fn describe(
         Attempt::Proved { certificate, theorem, freedom } => {
             let _ = writeln!(text, "{}\n", proved(name, source, theorem));
             let _ = writeln!(text, "{}\n", statement.title());
-            text += &match theorem.claim() {
-                Claim::Impossible(_) => refutation(statement, cap, certificate)?,
-                _ => solution(statement, theorem, freedom),
+            let explained = match theorem.claim() {
+                Claim::Impossible(_) => refutation(statement, cap, certificate, control),
+                _ => Ok(solution(statement, theorem, freedom)),
+            };
+            text += &match explained {
+                Ok(explained) => explained,
+                // The verdict stands by itself.
+                Err(ExpansionError::Interrupted(why)) => format!("{}\n\n", cut_short(&why)),
+                Err(ExpansionError::Limit(limit)) => return Err(limit),
             };
         }
     }

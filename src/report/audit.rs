@@ -6,9 +6,11 @@ use super::attempt::{LINE, wrapped_at};
 use super::expansion::superscript_of;
 use super::headline::surface_equation;
 use super::mathematics::Notation;
+use super::stopped::cut_short;
 use crate::audit::{
-    Audit, Change, ClaimVerdict, Correction, Finding, Judgement, Phrase, Piece, Relation, Target,
+    Audit, Change, ClaimVerdict, Correction, Finding, Judgement, Phrase, Piece, Relation, Target, Verdict,
 };
+use crate::control::Interrupted;
 use crate::exact::Polynomial;
 use crate::listing::Listing;
 use crate::statement::Statement;
@@ -36,36 +38,71 @@ pub fn describe_audit(listing: &Listing, name: &str, statement: &Statement, audi
             text += &claim_lines(&notation, claim);
         }
     }
+    if let Some(why) = &audit.stopped {
+        let _ = writeln!(text, "\n{}", stopped_text(audit, why));
+    }
     text
+}
+
+/// What a stop left undone.
+pub(super) fn stopped_text(audit: &Audit, why: &Interrupted) -> String {
+    let judged = [audit.findings.len(), audit.claims.len()];
+    let of = |k: usize, what: &str| match judged[k] == audit.printed[k] {
+        true => format!("all {} {what}", judged[k]),
+        false => format!("{} of {} {what}", judged[k], audit.printed[k]),
+    };
+    match judged == audit.printed {
+        true => cut_short(why),
+        false => format!("Stopped: {why}. Judged: {}, {}.", of(0, "printed coefficients"), of(1, "claims")),
+    }
 }
 
 /// `DIFFERS  3 of 16 …`.
 pub(super) fn headline(audit: &Audit) -> String {
     let wrong: Vec<&str> = audit.findings.iter().filter(|f| !f.agrees()).map(|f| f.label.as_str()).collect();
-    let all = audit.findings.len();
-    let listed = match (wrong.len(), all) {
-        (_, 0) if audit.claims.is_empty() => match audit.equations {
+    let judged = [audit.findings.len(), audit.claims.len()];
+    // "16", or "the first 3 of 16" where the work was stopped.
+    let [all, all_claims] = [0, 1].map(|k| match judged[k] == audit.printed[k] {
+        true => judged[k].to_string(),
+        false => format!("the first {} of {}", judged[k], audit.printed[k]),
+    });
+    let listed = match (wrong.len(), audit.printed[0]) {
+        (_, 0) if audit.printed[1] == 0 => match audit.equations {
             1 => "no coefficient is listed, and the one there is is zero".to_owned(),
             equations => format!("no coefficient is listed, and all {equations} are zero"),
         },
         (_, 0) => String::new(),
         (0, 1) => "the one printed coefficient is right".to_owned(),
-        (0, _) => format!("all {all} printed coefficients are right"),
+        (0, printed) if judged[0] == printed => format!("all {all} printed coefficients are right"),
+        (0, _) => format!("{all} printed coefficients are right"),
         (1, _) => format!("1 of {all} printed coefficients is wrong: {}", wrong[0]),
         (many, _) => format!("{many} of {all} printed coefficients are wrong: {}", wrong.join(", ")),
     };
     let failed = audit.claims.iter().filter(|claim| claim.judgement == Judgement::Fails).count();
     let open = audit.claims.iter().filter(|claim| claim.judgement == Judgement::NotChecked).count();
-    let claims = match audit.claims.len() {
+    let claims = match judged[1] {
         0 => String::new(),
-        all => {
+        _ => {
             let open = if open > 0 { format!(", {open} not checked") } else { String::new() };
             let verb = if failed == 1 { "fails" } else { "fail" };
             let before = if listed.is_empty() { "" } else { "; " };
-            format!("{before}{failed} of {all} claims {verb}{open}")
+            format!("{before}{failed} of {all_claims} claims {verb}{open}")
         }
     };
-    format!("{}  {listed}{claims}", if audit.agrees() { "AGREES" } else { "DIFFERS" })
+    let stopped = match &audit.stopped {
+        Some(why) if audit.verdict() == Verdict::Undecided => format!("; the audit was stopped: {why}"),
+        _ => String::new(),
+    };
+    format!("{}  {listed}{claims}{stopped}", verdict_word(audit.verdict()))
+}
+
+/// The first word.
+pub(super) fn verdict_word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Agrees => "AGREES",
+        Verdict::Differs => "DIFFERS",
+        Verdict::Undecided => "UNDECIDED",
+    }
 }
 
 /// `u³v²`, `u(1−u)³ v²(1−v)²`, `f[3]`.
@@ -147,6 +184,9 @@ fn difference(notation: &Notation, finding: &Finding) -> String {
         for line in correction.place.to_string().lines() {
             let _ = writeln!(text, "   {line}");
         }
+    }
+    if finding.corrections.is_empty() && !finding.searched {
+        text += "   no explanation was found within the work that is spent on one\n";
     }
     if finding.corrections.is_empty() {
         for d in &finding.differences {

@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 
-use super::audit::phrase_text;
+use super::audit::{phrase_text, verdict_word};
 use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
+use super::stopped::stopped_by;
 use crate::audit::{Audit, Change, Correction, Finding, Judgement, Relation, Target};
 use crate::exact::{Polynomial, Ring};
 use crate::listing::Listing;
@@ -14,6 +15,8 @@ use crate::statement::Statement;
 #[derive(Debug, Serialize)]
 pub struct AuditData {
     verdict: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stopped: Option<&'static str>,
     title: String,
     source: String,
     name: String,
@@ -99,7 +102,8 @@ pub fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit
         remark: verdict.claim.remark.clone(),
     });
     AuditData {
-        verdict: if audit.agrees() { "AGREES" } else { "DIFFERS" },
+        verdict: verdict_word(audit.verdict()),
+        stopped: audit.stopped.as_ref().map(|stopped| stopped_by(stopped.why)),
         title: listing.title.clone(),
         source: listing.source.clone(),
         name: name.to_owned(),

@@ -8,9 +8,10 @@ use crate::algebra::{self, polynomial_to_exact};
 use crate::bezier::Image;
 use crate::certificate::{Argument, Step};
 use crate::checker::{Claim, ExactNet, Solution, Theorem};
+use crate::control::Control;
 use crate::elimination::{Closure, Undecided, VALUES};
 use crate::exact::{Limit, Polynomial};
-use crate::expand::{Basis, Coefficient, coefficients};
+use crate::expand::{Basis, Coefficient, ExpansionError, coefficients, coefficients_within};
 use crate::prove::{Attempt, Consistent, Reason, image_of};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
@@ -198,15 +199,32 @@ pub(super) fn net(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Vec<V
 }
 
 /// The coefficients of a patch in one basis; `None` for a bare system.
+///
+/// # Errors
+/// Where a coefficient exceeds what the formats allow.
 pub fn expansion(statement: &Statement, basis: Basis) -> Result<Option<Vec<CoefficientData>>, Limit> {
+    Ok(coefficients(statement, basis)?.map(|list| listed(statement, list)))
+}
+
+fn listed(statement: &Statement, list: Vec<Coefficient>) -> Vec<CoefficientData> {
     let ring = statement.ring();
-    let data = |list: Vec<Coefficient>| {
-        let nonzero = list.into_iter().filter(|coefficient| !coefficient.value.is_zero());
-        let entry =
-            |c: Coefficient| CoefficientData { value: ring.spell(&c.value), name: c.name, index: c.index };
-        nonzero.map(entry).collect()
-    };
-    Ok(coefficients(statement, basis)?.map(data))
+    let nonzero = list.into_iter().filter(|coefficient| !coefficient.value.is_zero());
+    let entry =
+        |c: Coefficient| CoefficientData { value: ring.spell(&c.value), name: c.name, index: c.index };
+    nonzero.map(entry).collect()
+}
+
+/// The same beside an attempt: none where there is no time left for them.
+fn expansion_within(
+    statement: &Statement,
+    basis: Basis,
+    control: &Control,
+) -> Result<Option<Vec<CoefficientData>>, Limit> {
+    match coefficients_within(statement, basis, control) {
+        Ok(list) => Ok(list.map(|list| listed(statement, list))),
+        Err(ExpansionError::Interrupted(_)) => Ok(None),
+        Err(ExpansionError::Limit(limit)) => Err(limit),
+    }
 }
 
 /// An attempt as data.
@@ -218,14 +236,17 @@ pub fn attempt(
     of: &Statement,
     attempt: &Attempt,
     files: Option<&Files>,
+    control: &Control,
 ) -> Result<AttemptData, Limit> {
+    let of_basis = |basis| expansion_within(of, basis, control);
+    let (bernstein, monomial) = (of_basis(Basis::Bernstein)?, of_basis(Basis::Monomial)?);
     let mut data = AttemptData {
         verdict: "UNDECIDED",
         claim: None,
         name: name.to_owned(),
         statement: statement(of),
-        bernstein: expansion(of, Basis::Bernstein)?,
-        monomial: expansion(of, Basis::Monomial)?,
+        bernstein,
+        monomial,
         steps: None,
         values: None,
         convention: None,
@@ -309,10 +330,9 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
         Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => {
             ReasonData::TooLarge { degree: *degree, rows: *rows, columns: *columns }
         }
-        Reason::Elimination(Undecided::Interrupted { why, reached }) => ReasonData::Interrupted {
-            why: why.to_string(),
-            reached: reached.as_ref().map(ToString::to_string),
-        },
+        Reason::Elimination(Undecided::Interrupted(stopped)) => {
+            ReasonData::Interrupted { why: stopped.to_string(), reached: stopped.reached.clone() }
+        }
         Reason::Consistent(consistent) => {
             let Consistent { closure, tried, extension } = consistent.as_ref();
             let tried = tried.as_ref().map(|tried| {

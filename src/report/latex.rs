@@ -9,7 +9,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::audit::{correction_text, headline, judgement_word, relation_phrase, term_text};
+use super::audit::{correction_text, headline, judgement_word, relation_phrase, stopped_text, term_text};
 use super::mathematics::{Notation, collected};
 use crate::audit::{Audit, Finding, Phrase, Piece, Target};
 use crate::exact::{Polynomial, Ring};
@@ -30,6 +30,9 @@ pub fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit
     let source = if listing.source.is_empty() { String::new() } else { format!("{} of ", listing.source) };
     let _ = writeln!(text, "\\section*{{Audit of {}}}", prose(&format!("{source}{}", listing.title)));
     let _ = writeln!(text, "\\textbf{{{}}}\n", prose(&headline(audit)));
+    if let Some(why) = &audit.stopped {
+        let _ = writeln!(text, "{}\n", prose(&stopped_text(audit, why)));
+    }
     let _ = writeln!(text, "Held against \\texttt{{{}}}: {}.\n", prose(name), prose(statement.title()));
     if let Subject::Patch(patch) = statement.subject() {
         let surface = formula(&statement.coordinate_ring(), &patch.surface);

@@ -10,6 +10,7 @@ use super::attempt::wrapped_at;
 use super::headline::{surface_equation, surface_phrase};
 use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
+use super::stopped::{cut_short, stopped_by};
 use crate::audit::decimal;
 use crate::audit::net::{Convention, NetAudit, NetChange, NetCorrection, PrintedNet, Reading};
 use crate::exact::{Limit, Polynomial, Radicands, Ring};
@@ -63,6 +64,8 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
     }
     text.push('\n');
     let _ = match audit.corrections.len() {
+        // Stopped before anything can be said.
+        0 if audit.stopped.is_some() && audit.readings.is_empty() => Ok(()),
         0 => {
             let _ = writeln!(
                 text,
@@ -83,6 +86,11 @@ pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit>
     }
     if audit.corrections.len() > SHOWN {
         let _ = writeln!(text, "   … and {} more", audit.corrections.len() - SHOWN);
+    }
+    if let Some(why) = &audit.stopped {
+        let _ = writeln!(text, "{}", cut_short(why));
+    } else if !audit.searched {
+        text += "The search for single changes ended where it had cost as much as it may.\n";
     }
     Ok(text)
 }
@@ -179,6 +187,9 @@ pub struct NetData {
     residual: Vec<ResidualData>,
     corrections: Vec<CorrectionData>,
     readings: Vec<ReadingData>,
+    searched: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stopped: Option<&'static str>,
 }
 
 /// What one convention leaves.
@@ -231,6 +242,8 @@ pub fn net_data(net: &PrintedNet, audit: &NetAudit) -> NetData {
         residual: residual.collect(),
         corrections: corrections.collect(),
         readings: audit.readings.iter().map(|reading| reading_data(reading, &ring)).collect(),
+        searched: audit.searched,
+        stopped: audit.stopped.as_ref().map(|stopped| stopped_by(stopped.why)),
     }
 }
 

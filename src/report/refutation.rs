@@ -7,8 +7,9 @@ use super::expansion::surface_text;
 use super::mathematics::Notation;
 use super::setting;
 use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::exact::{Limit, Polynomial, Work};
-use crate::expand::{Basis, Coefficient, coefficients, grouped};
+use crate::control::Control;
+use crate::exact::Polynomial;
+use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_within, grouped};
 use crate::prove::flattened;
 use crate::statement::{Statement, Subject};
 
@@ -22,7 +23,8 @@ pub(super) fn refutation(
     statement: &Statement,
     cap: bool,
     certificate: &Certificate,
-) -> Result<String, Limit> {
+    control: &Control,
+) -> Result<String, ExpansionError> {
     let notation = Notation::new(statement.ring());
     let mut text = String::new();
     let mut number = 0;
@@ -35,9 +37,9 @@ pub(super) fn refutation(
         text += &setting::cube_face(statement, patch)?;
         text.push('\n');
     }
-    if let Some(list) = coefficients(statement, Basis::Bernstein)? {
+    if let Some(list) = coefficients_within(statement, Basis::Bernstein, control)? {
         heading(&mut text, "The condition");
-        text += &condition(statement, &notation, &list)?;
+        text += &condition(statement, &notation, &list, control)?;
         text.push('\n');
     }
     for (k, assumed) in (1..).zip(statement.nonzero()) {
@@ -52,11 +54,11 @@ pub(super) fn refutation(
         return Ok(text);
     };
     heading(&mut text, "The elimination");
-    text += &elimination(statement, &notation, steps);
+    text += &elimination(statement, &notation, steps, control);
     text.push('\n');
     heading(&mut text, "The contradiction");
     let _ = writeln!(text, "   If all these equations held, the last line would read 1 = 0.");
-    match flattened(statement, steps, COFACTOR_TERMS) {
+    match flattened(statement, steps, COFACTOR_TERMS, control) {
         Some(cofactors) if steps.len() > 1 => {
             let sum = cofactors
                 .iter()
@@ -70,7 +72,12 @@ pub(super) fn refutation(
     Ok(text)
 }
 
-fn condition(statement: &Statement, notation: &Notation, list: &[Coefficient]) -> Result<String, Limit> {
+fn condition(
+    statement: &Statement,
+    notation: &Notation,
+    list: &[Coefficient],
+    control: &Control,
+) -> Result<String, ExpansionError> {
     let Subject::Patch(patch) = statement.subject() else {
         return Ok(String::new());
     };
@@ -114,7 +121,7 @@ fn condition(statement: &Statement, notation: &Notation, list: &[Coefficient]) -
     text += &group_lines(notation, &groups);
 
     // The paper's own coefficients, where they are short enough to be read.
-    let monomial = coefficients(statement, Basis::Monomial)?.unwrap_or_default();
+    let monomial = coefficients_within(statement, Basis::Monomial, control)?.unwrap_or_default();
     let (groups, _) = grouped(&monomial);
     let readable = |(_, value): &(Vec<&str>, &Polynomial)| notation.polynomial(value).chars().count() <= LINE;
     if monomial.iter().any(|c| c.name == "a1") && groups.iter().all(readable) {
@@ -141,7 +148,7 @@ fn group_lines(notation: &Notation, groups: &[(Vec<&str>, &Polynomial)]) -> Stri
     text
 }
 
-fn elimination(statement: &Statement, notation: &Notation, steps: &[Step]) -> String {
+fn elimination(statement: &Statement, notation: &Notation, steps: &[Step], control: &Control) -> String {
     let mut text = String::new();
     let mut values: Vec<Option<Polynomial>> = vec![None; statement.ring().variables.len()];
     let shown = steps.len().min(STEPS);
@@ -154,7 +161,7 @@ fn elimination(statement: &Statement, notation: &Notation, steps: &[Step]) -> St
             continue;
         }
         let last = number == steps.len();
-        if last && let Some(line) = contradiction(statement, notation, step, &values) {
+        if last && let Some(line) = contradiction(statement, notation, step, &values, control) {
             text += &line;
         }
         let label = format!("   ({number})");
@@ -203,6 +210,7 @@ fn contradiction(
     notation: &Notation,
     last: &Step,
     values: &[Option<Polynomial>],
+    control: &Control,
 ) -> Option<String> {
     let equations: Vec<Premise> = last
         .combination
@@ -213,7 +221,7 @@ fn contradiction(
     let [equation] = equations.as_slice() else {
         return None;
     };
-    let mut work = Work::full();
+    let mut work = control.work();
     let all = crate::checker::Equations::of(statement, &mut work).ok()?;
     let polynomial = all.get(*equation)?;
     let at: Vec<Polynomial> = (0u16..)

@@ -8,19 +8,24 @@ use serde_json::{Value, json};
 use super::bounds::{quantity_name, value_text};
 use super::rounding::{Towards, rounded};
 use crate::approximation::{BestSoFar, Decimals, quantity_of};
-use crate::elimination::Interrupted;
+use crate::control::{Interrupted, Why};
 use crate::statement::Statement;
 
 /// Digits after the point of what was measured.
 const DIGITS: u32 = 4;
 
 /// Which of them it was, as data.
-pub fn stopped_by(why: Interrupted) -> &'static str {
+pub fn stopped_by(why: Why) -> &'static str {
     match why {
-        Interrupted::Timeout => "timeout",
-        Interrupted::Cancelled => "ctrl-c",
-        Interrupted::Memory => "memory",
+        Why::Time => "timeout",
+        Why::Interrupt => "ctrl-c",
+        Why::Memory => "memory",
     }
+}
+
+/// That an explanation was not finished; the verdict does not depend on it.
+pub fn cut_short(why: &Interrupted) -> String {
+    format!("The explanation was cut short: {why}.")
 }
 
 /// The best values so far, with what was measured there.

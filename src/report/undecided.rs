@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::attempt::{LINE, wrapped_at};
 use super::mathematics::Notation;
 use crate::algebra::{FieldElement, Monomial, Polynomial, Sign, polynomial_to_exact};
+use crate::control::Interrupted;
 use crate::elimination::{Closure, Eliminant, Tried, Undecided, VALUES};
 use crate::exact::{Limit, Radicands};
 use crate::prove::{Consistent, Extension, Reason, field_of};
@@ -25,7 +26,7 @@ pub(super) fn headline(reason: &Reason) -> &'static str {
         Reason::Consistent(consistent) if consistent.closure.dimension > 0 => "infinitely many complex zeros",
         Reason::Consistent(_) | Reason::Elimination(Undecided::Consistent(_)) => "there are complex zeros",
         Reason::Elimination(Undecided::TooLarge { .. }) => "the search became too large",
-        Reason::Elimination(Undecided::Interrupted { .. }) => "stopped early",
+        Reason::Elimination(Undecided::Interrupted(_)) => "stopped early",
     }
 }
 
@@ -57,7 +58,7 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
                 "Among the multiples of the equations up to degree {degree} no combination that is 1 was found (modulo a prime).\nThe next matrix would have {columns} columns and {rows} rows or more: that is beyond this engine."
             );
         }
-        Reason::Elimination(Undecided::Interrupted { why, reached }) => {
+        Reason::Elimination(Undecided::Interrupted(Interrupted { why, reached })) => {
             let _ = writeln!(text, "Stopped: {why}. Nothing was established.");
             if let Some(reached) = reached {
                 let _ = writeln!(text, "Reached: {reached}.");

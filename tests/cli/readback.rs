@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use prove_cap::audit::Audit;
 use prove_cap::audit::net::{Convention, NetAudit, from_json, statement_from_json};
 use prove_cap::catalogue;
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::exact::{Monomial, Polynomial, Radicands};
 use prove_cap::expand::Basis;
 use prove_cap::listing::{Listing, Notation, is_expansion, read_constant};

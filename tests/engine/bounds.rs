@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -20,7 +19,7 @@ use prove_cap::checker::{
     BoundsRejection, CheckError, Claim, Excluded, Rejection, SubdivisionRejection, UnreachableRejection,
     check, check_read,
 };
-use prove_cap::elimination::Control;
+use prove_cap::control::{Control, Why};
 use prove_cap::exact::{Polynomial, Work};
 use prove_cap::statement::{Statement, Subject};
 
@@ -283,8 +282,8 @@ fn what_has_no_patch_or_no_unknowns_is_refused() {
 
 #[test]
 fn a_set_flag_stops_the_work() {
-    let flag = AtomicBool::new(true);
-    let control = Control { cancelled: Some(&flag), ..Control::default() };
+    let control = Control::default();
+    control.stop(Why::Interrupt);
     let error = enclose(&built_in("cap-2x2"), &paper(), 12, &control).unwrap_err();
     assert!(matches!(error, EnclosureError::Interrupted(_)), "{error}");
     let search =

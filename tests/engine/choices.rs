@@ -1,10 +1,9 @@
 //! Infinitely many zeros: one is chosen, the best patch first; and zeros over a larger field are named.
 
-use std::sync::atomic::AtomicBool;
-
 use prove_cap::bezier::Image;
 use prove_cap::checker::{Claim, ExactNet};
-use prove_cap::elimination::{Control, Interrupted, Undecided};
+use prove_cap::control::{Control, Why};
+use prove_cap::elimination::Undecided;
 use prove_cap::prove::{Attempt, Consistent, Freedom, Reason, image_of, prove};
 use prove_cap::statement::Statement;
 
@@ -168,12 +167,12 @@ fn an_assumption_holds_in_the_larger_field_too() {
 #[test]
 fn the_choice_of_values_can_be_interrupted() {
     let statement = Statement::read(&system("[]", &["x", "y"], &[], &["x*y - 1"])).unwrap();
-    let flag = AtomicBool::new(true);
-    let control = Control { cancelled: Some(&flag), ..Control::default() };
-    let Attempt::Undecided(Reason::Elimination(Undecided::Interrupted { why, .. })) =
+    let control = Control::default();
+    control.stop(Why::Interrupt);
+    let Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(stopped))) =
         prove(&statement, &control).unwrap()
     else {
         panic!("not interrupted")
     };
-    assert_eq!(why, Interrupted::Cancelled);
+    assert_eq!(stopped.why, Why::Interrupt);
 }

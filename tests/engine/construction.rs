@@ -12,7 +12,7 @@ use prove_cap::construction::{
     Cell, CoverError, How, Phase, Refusal, centre_of, classify, closing_certificate, closing_statement,
     closing_values, construct, cover, elevated, tile, triple_products,
 };
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::exact::Polynomial;
 use prove_cap::geometry::{
     Complex, NamedPolygon, POLYGONS, Point, Polygon, PolygonError, Spinor, SpinorForm, Vector,
@@ -20,7 +20,7 @@ use prove_cap::geometry::{
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::{Statement, Subject};
 
-fn control() -> Control<'static> {
+fn control() -> Control {
     Control::default()
 }
 

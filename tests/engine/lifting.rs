@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, PrimeField, splitting_primes};
-use prove_cap::elimination::{Control, Echelon, Inserted, SparseRow, solve};
+use prove_cap::control::Control;
+use prove_cap::elimination::{Echelon, Inserted, SparseRow, solve};
 
 /// Square, by columns: `matrix[k]` is row k of Σ xₖ · rowₖ = right.
 type Matrix = Vec<Vec<FieldElement>>;
@@ -53,7 +54,7 @@ fn check(matrix: &Matrix, right: &[FieldElement]) -> Result<(), TestCaseError> {
     let mut echelon = Echelon::new(prime.clone());
     let mut rank = 0;
     for (id, row) in (0..).zip(images(matrix, &prime)) {
-        rank += usize::from(matches!(echelon.insert(id, &row), Inserted::Pivot(_)));
+        rank += usize::from(matches!(echelon.insert(id, &row, &Control::default()), Ok(Inserted::Pivot(_))));
     }
     let regular = rank == matrix.len();
     let Some((x, denominator)) = solution(matrix, right) else {

@@ -1,9 +1,10 @@
 //! The engine on systems whose answer is known for another reason.
 
-use std::time::{Duration, Instant};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use prove_cap::checker::{Claim, ExactNet, Solution};
-use prove_cap::elimination::{Closure, Control, Interrupted, Outcome, Undecided, eliminate};
+use prove_cap::control::{Control, Interrupted, Why};
+use prove_cap::elimination::{Closure, Outcome, Undecided, eliminate};
 use prove_cap::prove::{Attempt, Reason, prove, system_of};
 use prove_cap::statement::Statement;
 
@@ -46,7 +47,7 @@ fn counted(closure: &Closure) -> Answer {
 
 /// What elimination says, before zeros in K are looked for.
 fn zeros(statement: &Statement) -> Answer {
-    match eliminate(&system_of(statement), &Control::default()).1 {
+    match eliminate(&system_of(statement, &Control::default()).unwrap(), &Control::default()).1 {
         Outcome::Open(Undecided::Consistent(closure)) => counted(&closure),
         _ => Answer::Other,
     }
@@ -248,12 +249,18 @@ fn time_and_the_user_stop_the_work() {
         .collect();
     let equations: Vec<&str> = equations.iter().map(String::as_str).collect();
     let statement = system("[]", &names.join(" "), "", &equations);
-    let stopped = |control: &Control<'_>| match prove(&statement, control).unwrap() {
-        Attempt::Undecided(Reason::Elimination(Undecided::Interrupted { why, .. })) => why,
+    let stopped = |control: &Control| match prove(&statement, control).unwrap() {
+        Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(stopped))) => stopped,
         other => panic!("{other:?}"),
     };
-    let deadline = Some(Instant::now() + Duration::from_millis(50));
-    assert_eq!(stopped(&Control { deadline, ..Control::default() }), Interrupted::Timeout);
-    let flag = std::sync::atomic::AtomicBool::new(true);
-    assert_eq!(stopped(&Control { cancelled: Some(&flag), ..Control::default() }), Interrupted::Cancelled);
+    // A clock that has run out when it is looked at for the hundredth time.
+    let looks = AtomicUsize::new(0);
+    let clock = move || (looks.fetch_add(1, Ordering::Relaxed) >= 100).then_some(Why::Time);
+    let late = stopped(&Control::watched(clock));
+    assert_eq!(late.why, Why::Time);
+    assert!(late.reached.is_some_and(|reached| reached.contains("linear equations")));
+    let control = Control::default();
+    control.stop(Why::Interrupt);
+    control.stop(Why::Memory);
+    assert_eq!(stopped(&control), Interrupted { why: Why::Interrupt, reached: None });
 }

@@ -3,9 +3,6 @@
 #[path = "scale/patch.rs"]
 mod patch;
 
-use std::cell::Cell;
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -18,7 +15,7 @@ use prove_cap::certificate::{
     Argument, Certificate, CertificateError, CertificateFault, Quantity, Unreachable, decimal_value,
 };
 use prove_cap::checker::{CheckError, Rejection, UnreachableRejection, check_read};
-use prove_cap::elimination::{Control, Progress};
+use prove_cap::control::{Control, Why};
 use prove_cap::exact::{Polynomial, Work};
 use prove_cap::statement::Statement;
 
@@ -267,14 +264,16 @@ fn form(statement: &Statement, text: &str) -> Polynomial {
 }
 
 /// An observer that stops the work when it sees something.
-fn stopped_at(statement: &Statement, when: impl Fn(&Progress) -> bool) -> ApproximationError {
-    let flag = AtomicBool::new(false);
-    let observer = |progress: &Progress| {
-        if when(progress) {
-            flag.store(true, Ordering::Relaxed);
+fn stopped_at(
+    statement: &Statement,
+    when: impl Fn(&str) -> bool + Send + Sync + 'static,
+) -> ApproximationError {
+    let stopper = Control::default();
+    let control = stopper.clone().observed(move |progress| {
+        if when(&progress.to_string()) {
+            stopper.stop(Why::Interrupt);
         }
-    };
-    let control = Control { cancelled: Some(&flag), observer: Some(&observer), ..Control::default() };
+    });
     let search = Search { objective: Objective::Minimax, points: 21, pass: vec![], places: None, seed: 1 };
     approximate(statement, &search, &control).unwrap_err()
 }
@@ -282,14 +281,11 @@ fn stopped_at(statement: &Statement, when: impl Fn(&Progress) -> bool) -> Approx
 #[test]
 fn what_was_found_before_an_interruption_is_kept() {
     let statement = CAP.statement(&RADIUS_500);
-    let first = Cell::new(true);
-    let nothing = stopped_at(&statement, |progress| {
-        matches!(progress, Progress::Starts { .. }) && first.replace(false)
-    });
+    let nothing = stopped_at(&statement, |progress| progress.starts_with("least squares: start"));
     assert!(matches!(&nothing, ApproximationError::Interrupted(_, None)), "{nothing:?}");
     assert_eq!(nothing.to_string(), "interrupted");
-    let early = stopped_at(&statement, |progress| matches!(progress, Progress::Starts { tried: 3, .. }));
-    let late = stopped_at(&statement, |progress| matches!(progress, Progress::Descent { round: 4, .. }));
+    let early = stopped_at(&statement, |progress| progress.starts_with("least squares: start 3 of"));
+    let late = stopped_at(&statement, |progress| progress.starts_with("linear programs: round 4,"));
     for error in [early, late] {
         let ApproximationError::Interrupted(_, Some(best)) = error else { panic!("{error:?}") };
         let values = doubles(&best.values.values);

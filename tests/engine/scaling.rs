@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use prove_cap::approximation::{Enclosure, EnclosureError, enclose};
 use prove_cap::catalogue;
 use prove_cap::certificate::{Bounds, spell_decimal};
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::exact::{Polynomial, Work};
 use prove_cap::statement::{Statement, Subject};
 

@@ -9,7 +9,8 @@
 //! - random dense quadratics, more than unknowns: without common zeros.
 
 use itertools::Itertools;
-use prove_cap::elimination::{Control, Outcome, Undecided, eliminate};
+use prove_cap::control::Control;
+use prove_cap::elimination::{Outcome, Undecided, eliminate};
 use prove_cap::prove::{Attempt, prove, system_of};
 use prove_cap::statement::Statement;
 
@@ -39,7 +40,7 @@ impl System {
             self.polynomials
         );
         let statement = Statement::read(&text).unwrap_or_else(|error| panic!("{error}"));
-        match eliminate(&system_of(&statement), &Control::default()).1 {
+        match eliminate(&system_of(&statement, &Control::default()).unwrap(), &Control::default()).1 {
             Outcome::Unit(_) => match prove(&statement, &Control::default()).unwrap() {
                 Attempt::Proved { theorem, .. } if theorem.kind() == "impossible" => Answer::Impossible,
                 other => panic!("{other:?}"),

@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 
 use prove_cap::algebra::{FieldElement, Integer, MultiquadraticField, Univariate};
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;
 

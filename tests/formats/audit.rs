@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use prove_cap::audit::{Audit, Change, Finding, Judgement, PAPER, Relation};
-use prove_cap::elimination::Control;
+use prove_cap::control::{Control, Why};
 use prove_cap::exact::Polynomial;
 use prove_cap::expand::{Basis, coefficients};
 use prove_cap::listing::{Listing, Notation};
@@ -393,8 +393,8 @@ fn a_formula_too_long_to_be_read_is_compared_but_not_explained() {
 
 #[test]
 fn an_audit_that_is_stopped_says_so() {
-    let cancelled = std::sync::atomic::AtomicBool::new(true);
-    let control = Control { cancelled: Some(&cancelled), ..Control::default() };
+    let control = Control::default();
+    control.stop(Why::Interrupt);
     let error = Audit::of(&paper_formulas(), &statement("cap-2x2"), &control).unwrap_err();
     assert!(matches!(error, prove_cap::audit::AuditError::Interrupted(_)), "{error}");
 }

@@ -3,7 +3,7 @@
 use std::fs;
 
 use prove_cap::audit::net::{Convention, NetAudit, NetChange, PrintedNet, from_json, from_matlab};
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::exact::Polynomial;
 
 fn audit(net: &PrintedNet) -> NetAudit {

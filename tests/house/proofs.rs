@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use prove_cap::catalogue::{self, ENTRIES};
 use prove_cap::certificate::{Argument, Certificate, Premise};
 use prove_cap::checker::{CheckError, Claim, ExactRejection, Rejection, check, check_read};
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::exact::{Polynomial, Radicands, Work};
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;

@@ -93,7 +93,7 @@ fn wrong_listings_are_refused_with_the_exact_complaint() {
         let statement =
             Statement::read(&fs::read_to_string("tests/data/reject/listing/statement.toml").unwrap());
         let audit = listing.map_err(AuditError::from).and_then(|listing| {
-            Audit::of(&listing, &statement.unwrap(), &prove_cap::elimination::Control::default())
+            Audit::of(&listing, &statement.unwrap(), &prove_cap::control::Control::default())
         });
         let Err(AuditError::Listing(error)) = audit else { panic!("{}: {audit:?}", file.display()) };
         assert_eq!(variant(&format!("{:?}", error.fault)), promised(file), "{}: {error}", file.display());

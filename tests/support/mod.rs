@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use prove_cap::certificate::{Argument, Certificate, Step};
-use prove_cap::elimination::Control;
+use prove_cap::control::Control;
 use prove_cap::exact::{Polynomial, Work};
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;

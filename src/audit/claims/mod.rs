@@ -12,8 +12,8 @@ use super::AuditError;
 use super::compare::Finding;
 use super::phrase::Phrase;
 use super::targets::Targets;
-use crate::elimination::Control;
-use crate::exact::{Limit, Polynomial, Work};
+use crate::control::Control;
+use crate::exact::{Limit, Polynomial};
 use crate::listing::{Claim, ClaimKind, Expression, Listing, ListingError, ListingFault, Scope, Symbol};
 use crate::statement::{Place, Statement};
 
@@ -52,12 +52,8 @@ pub(super) struct Case<'a> {
 }
 
 /// Judges one claim.
-pub(super) fn judge(
-    claim: &Claim,
-    case: &Case<'_>,
-    control: &Control<'_>,
-) -> Result<ClaimVerdict, AuditError> {
-    let at = Claimed { claim, case };
+pub(super) fn judge(claim: &Claim, case: &Case<'_>, control: &Control) -> Result<ClaimVerdict, AuditError> {
+    let at = Claimed { claim, case, control };
     let (judgement, evidence) = match &claim.kind {
         ClaimKind::Relation(formula) => relation::relation(&at, formula)?,
         ClaimKind::Symmetric => relation::symmetric(&at)?,
@@ -81,6 +77,7 @@ pub(super) fn judge(
 struct Claimed<'a> {
     claim: &'a Claim,
     case: &'a Case<'a>,
+    control: &'a Control,
 }
 
 impl<'a> Claimed<'a> {
@@ -106,7 +103,7 @@ impl<'a> Claimed<'a> {
 
     /// The value of an expression of the claim in this scope.
     fn value(&self, expression: &Expression, scope: &Scope) -> Result<Polynomial, AuditError> {
-        expression.value_within(scope, &mut Work::full()).map_err(|limit| match limit {
+        expression.value_within(scope, &mut self.control.work()).map_err(|limit| match limit {
             Some(limit) => limit.into(),
             None => self.wrong("an expression of this claim has no value here".to_owned()),
         })
@@ -135,6 +132,6 @@ impl<'a> Claimed<'a> {
 
     /// a − b.
     fn difference(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Limit> {
-        Polynomial::sum(&[a.clone(), b.negate()], self.case.statement.field(), &mut Work::full())
+        Polynomial::sum(&[a.clone(), b.negate()], self.case.statement.field(), &mut self.control.work())
     }
 }

@@ -6,9 +6,10 @@ use crate::audit::phrase::Phrase;
 use crate::catalogue;
 use crate::certificate::Argument;
 use crate::checker::Claim;
-use crate::elimination::Control;
+use crate::control::Control;
+use crate::elimination::Undecided;
 use crate::listing::Expectation;
-use crate::prove::{Attempt, prove};
+use crate::prove::{Attempt, Reason, prove};
 use crate::statement::Statement;
 
 /// A built-in statement comes out as expected: proved anew, and checked.
@@ -16,7 +17,7 @@ pub(super) fn proved(
     at: &Claimed<'_>,
     name: &str,
     expected: Expectation,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Judged, AuditError> {
     let Some(entry) = catalogue::find(name) else {
         return Err(at.wrong(format!("`{name}` is not a built-in statement")));
@@ -37,6 +38,9 @@ pub(super) fn proved(
             };
             let judgement = if found == expected { Judgement::Holds } else { Judgement::Fails };
             (judgement, vec![Phrase::words(how)])
+        }
+        Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why))) => {
+            return Err(why.clone().into());
         }
         Attempt::Undecided(_) => (Judgement::NotChecked, vec![Phrase::words(format!("{name}: UNDECIDED"))]),
     })

@@ -7,7 +7,7 @@ use crate::approximation::{Enclosure, EnclosureError, Finding, enclose, judge};
 use crate::audit::AuditError;
 use crate::audit::phrase::Phrase;
 use crate::certificate::{Quantity, spell_decimal};
-use crate::elimination::Control;
+use crate::control::Control;
 use crate::exact::Polynomial;
 use crate::listing::{Expression, Symbol};
 
@@ -22,7 +22,7 @@ pub(super) fn radius(
     at: &Claimed<'_>,
     values: &Values,
     interval: &(String, String),
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Judged, AuditError> {
     let enclosure = match enclosed(at, values, control)? {
         Ok(enclosure) => enclosure,
@@ -60,7 +60,7 @@ pub(super) fn unrivalled(
     at: &Claimed<'_>,
     values: &Values,
     rival: &Values,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Judged, AuditError> {
     let (Ok(own), Ok(other)) = (enclosed(at, values, control)?, enclosed(at, rival, control)?) else {
         return Ok((Judgement::NotChecked, vec![Phrase::words("not bounded".to_owned())]));
@@ -101,12 +101,13 @@ fn proved(enclosure: &Enclosure) -> Phrase {
 fn enclosed(
     at: &Claimed<'_>,
     values: &Values,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Result<Enclosure, String>, AuditError> {
     let point = at.point(values)?;
     match enclose(at.case.statement, &point, PLACES, control) {
         Ok(enclosure) if enclosure.bounds.quantity == Quantity::Radius => Ok(Ok(enclosure)),
         Ok(_) => Err(at.wrong("the surface is not the unit sphere X² + Y² + Z² = W²".to_owned())),
+        Err(EnclosureError::Interrupted(why)) => Err(why.into()),
         Err(error @ EnclosureError::NotAPatch) => Err(at.wrong(error.to_string())),
         Err(error) => Ok(Err(error.to_string())),
     }

@@ -3,15 +3,21 @@
 //! One number at a time is taken as an unknown t; then every coefficient of the surface condition is a polynomial in
 //! t, and a common root in K is what the number should be. In the same way the first three numbers of a point are
 //! multiplied by t: with t the weight or its inverse, the point is given in the wrong convention.
+//!
+//! A control point enters only the coefficients near it: one that is far from a coefficient that does not vanish cannot
+//! be all that is wrong. In a net of rounded numbers hardly any coefficient vanishes, so that no point is left to be tried.
 
 use std::convert::Infallible;
 
+use itertools::iproduct;
+
+use super::NetAudit;
 use super::printed::{Convention, PrintedNet, premultiplied};
 use crate::algebra::{FieldElement, Polynomial as Univariable, Univariate, polynomial_to_exact};
 use crate::audit::AuditError;
-use crate::bezier::{BernsteinForm, surface_condition};
-use crate::elimination::Control;
-use crate::exact::{Polynomial, Work};
+use crate::bezier::{BernsteinForm, surface_condition_within};
+use crate::control::{Control, Interrupted};
+use crate::exact::Polynomial;
 use crate::prove::field_of;
 use crate::statement::{Patch, Statement, Subject};
 
@@ -45,24 +51,13 @@ pub enum NetChange {
     },
 }
 
-/// All single changes, those of a sign first.
-pub(super) fn search(
-    net: &PrintedNet,
-    statement: &Statement,
-    control: &Control<'_>,
-) -> Result<Vec<NetCorrection>, AuditError> {
-    let Subject::Patch(patch) = statement.subject() else { return Ok(Vec::new()) };
-    let search = Search { net, statement, patch };
-    let mut found = search.other_convention()?;
-    for i in 0..net.points.len() {
-        for j in 0..net.points[i].len() {
-            control.check()?;
-            for coordinate in 0..4 {
-                found.extend(search.entry(i, j, coordinate)?);
-            }
-            found.extend(search.scale(i, j)?);
-        }
-    }
+/// Products of control points that are worth computing for an explanation: hundreds of expansions of nets of usual size.
+const PRODUCTS: u64 = 40_000_000;
+
+/// All single changes, those of a sign first; whether the search came to its end.
+pub(super) fn search(net: &PrintedNet, audit: &mut NetAudit, control: &Control) -> Result<bool, AuditError> {
+    let (mut found, mut searched) = (Vec::new(), true);
+    let outcome = collect(net, audit, &mut found, &mut searched, control);
     // A point that is all zeros but for one number can be mended in two ways that are the same.
     let is_sign = |correction: &NetCorrection| match &correction.change {
         NetChange::Entry { printed, right, .. } => printed.negate() == *right,
@@ -70,13 +65,63 @@ pub(super) fn search(
         NetChange::Convention { .. } => true,
     };
     found.sort_by_key(|correction| !is_sign(correction));
-    Ok(found)
+    audit.corrections = found;
+    outcome.map(|()| searched)
+}
+
+fn collect(
+    net: &PrintedNet,
+    audit: &NetAudit,
+    found: &mut Vec<NetCorrection>,
+    searched: &mut bool,
+    control: &Control,
+) -> Result<(), AuditError> {
+    let Subject::Patch(patch) = audit.statement.subject() else { return Ok(()) };
+    let search = Search { net, statement: &audit.statement, patch, control };
+    found.extend(search.other_convention()?);
+    let mut left = PRODUCTS;
+    for (i, j) in iproduct!(0..net.points.len(), 0..net.points[0].len()) {
+        control.check()?;
+        if audit.residual.iter().any(|(r, s, _)| !reaches(patch, (i, j), (*r, *s))) {
+            continue;
+        }
+        // The coordinates one by one, and all together.
+        match left.checked_sub(5 * products(patch)) {
+            Some(rest) => left = rest,
+            None => {
+                *searched = false;
+                return Ok(());
+            }
+        }
+        for coordinate in 0..4 {
+            found.extend(search.entry(i, j, coordinate)?);
+        }
+        found.extend(search.scale(i, j)?);
+    }
+    Ok(())
+}
+
+/// Whether the control point (i,j) enters the coefficient c[r,s]: with e − 1 others its indices add up to (r,s).
+fn reaches(patch: &Patch, (i, j): (usize, usize), (r, s): (u32, u32)) -> bool {
+    let others = patch.surface.degree().saturating_sub(1);
+    let within = |i: usize, r: u32, m: u32| {
+        u32::try_from(i).is_ok_and(|i| i <= r && r <= i.saturating_add(others.saturating_mul(m)))
+    };
+    within(i, r, patch.bidegree.0) && within(j, s, patch.bidegree.1)
+}
+
+/// About how many products of control points the expansion takes.
+fn products(patch: &Patch) -> u64 {
+    let points = u64::from(patch.bidegree.0 + 1) * u64::from(patch.bidegree.1 + 1);
+    let terms = patch.surface.terms().count() as u64;
+    (1..patch.surface.degree()).map(|k| u64::from(k * k)).sum::<u64>().max(1) * points * points * terms
 }
 
 struct Search<'a> {
     net: &'a PrintedNet,
     statement: &'a Statement,
     patch: &'a Patch,
+    control: &'a Control,
 }
 
 impl Search<'_> {
@@ -85,7 +130,7 @@ impl Search<'_> {
         let meant = self.net.convention.other();
         let other = PrintedNet { convention: meant, ..self.net.clone() };
         let patch = Patch { net: other.homogeneous()?, ..self.patch.clone() };
-        let form = surface_condition(field_of(self.statement), &patch);
+        let form = surface_condition_within(field_of(self.statement), &patch, self.control)?;
         let vanishes = form.coefficients().all(|(_, _, value)| value.is_zero());
         let correction = NetCorrection { point: None, change: NetChange::Convention { meant } };
         Ok(if vanishes { vec![correction] } else { Vec::new() })
@@ -95,10 +140,10 @@ impl Search<'_> {
     fn entry(&self, i: usize, j: usize, coordinate: usize) -> Result<Vec<NetCorrection>, AuditError> {
         let mut point = self.net.points[i][j].clone();
         let printed = std::mem::replace(&mut point[coordinate], Polynomial::variable(0));
-        let mut work = Work::full();
+        let mut work = self.control.work();
         let homogeneous = premultiplied(&point, self.net.convention, &self.net.field, &mut work)?;
         let mut found = Vec::new();
-        for right in self.roots(i, j, homogeneous) {
+        for right in self.roots(i, j, homogeneous)? {
             let right = constant(&right)?;
             if right != printed {
                 let change = NetChange::Entry { coordinate, printed: printed.clone(), right };
@@ -110,7 +155,7 @@ impl Search<'_> {
 
     /// The net with the first three numbers of a point multiplied by t.
     fn scale(&self, i: usize, j: usize) -> Result<Vec<NetCorrection>, AuditError> {
-        let mut work = Work::full();
+        let mut work = self.control.work();
         let field = &self.net.field;
         let t = Polynomial::variable(0);
         let mut point = self.patch.net[i][j].clone();
@@ -128,7 +173,7 @@ impl Search<'_> {
             Convention::Cartesian => inverse,
         };
         let mut found = Vec::new();
-        for factor in self.roots(i, j, point) {
+        for factor in self.roots(i, j, point)? {
             let factor = constant(&factor)?;
             if factor.is_one() {
                 continue;
@@ -143,11 +188,11 @@ impl Search<'_> {
     }
 
     /// The values of t in K for which the patch lies on the surface.
-    fn roots(&self, i: usize, j: usize, point: [Polynomial; 4]) -> Vec<FieldElement> {
+    fn roots(&self, i: usize, j: usize, point: [Polynomial; 4]) -> Result<Vec<FieldElement>, Interrupted> {
         let mut patch = self.patch.clone();
         patch.net[i][j] = point;
-        let form = surface_condition(field_of(self.statement), &patch);
-        common_roots(&form)
+        let form = surface_condition_within(field_of(self.statement), &patch, self.control)?;
+        Ok(common_roots(&form))
     }
 }
 

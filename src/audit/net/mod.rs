@@ -17,10 +17,10 @@ pub use reading::Reading;
 use super::AuditError;
 use crate::algebra::{FieldElement, Sign, polynomial_from_exact};
 use crate::certificate::{Argument, Certificate};
-use crate::checker::check_read;
-use crate::elimination::Control;
+use crate::checker::check_read_within;
+use crate::control::{Control, Interrupted};
 use crate::exact::Polynomial;
-use crate::expand::{Basis, coefficients};
+use crate::expand::{Basis, coefficients_within};
 use crate::prove::field_of;
 use crate::statement::Statement;
 
@@ -42,34 +42,61 @@ pub struct NetAudit {
     pub corrections: Vec<NetCorrection>,
     /// What the two conventions leave, where no single change was found.
     pub readings: Vec<Reading>,
+    /// Whether the search for single changes came to its end; if not, there may be more.
+    pub searched: bool,
+    /// What cut the explanation short, if anything did.
+    pub stopped: Option<Interrupted>,
 }
 
 impl NetAudit {
     /// Holds a net against its surface.
     ///
     /// # Errors
-    /// Where the net makes no statement (the reason in the words of the statement reader), or at a limit.
-    pub fn of(net: &PrintedNet, control: &Control<'_>) -> Result<Self, AuditError> {
+    /// Where the net makes no statement (the reason in the words of the statement reader), at a limit, or where the work is
+    /// stopped before there is a verdict.
+    pub fn of(net: &PrintedNet, control: &Control) -> Result<Self, AuditError> {
         let statement =
             Statement::read(&net.statement()).map_err(|error| AuditError::Net(error.fault.to_string()))?;
-        let (coefficients, residual) = residual_of(&statement)?;
+        let (coefficients, residual) = residual_of(&statement, control)?;
         let agrees = residual.is_empty();
         if agrees {
             // Without unknowns there is nothing to be searched for: the checker expands the net by itself.
             let argument = Argument::Exact(Vec::new());
             let certificate = Certificate { statement: statement.hash(), argument };
-            check_read(&statement, &certificate).map_err(|error| {
-                AuditError::Net(format!(
+            check_read_within(&statement, &certificate, &mut control.work()).map_err(|error| {
+                control.unless_stopped(AuditError::Net(format!(
                     "the independent checker refused that the net is on the surface: {error}"
-                ))
+                )))
             })?;
         }
-        let corrections = if agrees { Vec::new() } else { correction::search(net, &statement, control)? };
-        let readings = match agrees || !corrections.is_empty() {
-            true => Vec::new(),
-            false => reading::readings(net, &statement, control)?,
+        let mut audit = NetAudit {
+            statement,
+            agrees,
+            residual,
+            coefficients,
+            corrections: Vec::new(),
+            readings: Vec::new(),
+            searched: agrees,
+            stopped: None,
         };
-        Ok(NetAudit { statement, agrees, residual, coefficients, corrections, readings })
+        // The verdict is known: what stops the work now takes nothing away.
+        match audit.explain(net, control) {
+            Ok(()) => Ok(audit),
+            Err(AuditError::Interrupted(why)) => Ok(NetAudit { stopped: Some(why), ..audit }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Looks for what puts the net on the surface, or else for what each convention leaves.
+    fn explain(&mut self, net: &PrintedNet, control: &Control) -> Result<(), AuditError> {
+        if self.agrees {
+            return Ok(());
+        }
+        self.searched = correction::search(net, self, control)?;
+        if self.corrections.is_empty() {
+            reading::readings(net, self, control)?;
+        }
+        Ok(())
     }
 
     /// The coefficient of largest absolute value, as far as that can be decided.
@@ -97,8 +124,8 @@ fn size(statement: &Statement, value: &Polynomial) -> Option<FieldElement> {
 }
 
 /// How many coefficients `c[r,s]` there are, and those that do not vanish.
-fn residual_of(statement: &Statement) -> Result<(usize, Vec<Coefficient>), AuditError> {
-    let all = coefficients(statement, Basis::Bernstein)?.unwrap_or_default();
+fn residual_of(statement: &Statement, control: &Control) -> Result<(usize, Vec<Coefficient>), AuditError> {
+    let all = coefficients_within(statement, Basis::Bernstein, control)?.unwrap_or_default();
     let count = all.len();
     let residual = all.into_iter().filter(|c| !c.value.is_zero()).map(|c| (c.index.0, c.index.1, c.value));
     Ok((count, residual.collect()))

@@ -8,14 +8,15 @@ use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::Signed;
 
+use super::NetAudit;
 use super::printed::{Convention, PrintedNet, premultiplied};
 use crate::algebra::{
     FieldElement, Integer, MultiquadraticField, Polynomial as Computed, Sign, polynomial_to_exact,
 };
 use crate::audit::AuditError;
-use crate::bezier::surface_condition;
-use crate::elimination::Control;
-use crate::exact::{Polynomial, Work};
+use crate::bezier::surface_condition_within;
+use crate::control::Control;
+use crate::exact::Polynomial;
 use crate::prove::field_of;
 use crate::statement::{Patch, Statement, Subject};
 
@@ -37,28 +38,24 @@ pub struct Reading {
 }
 
 /// Both readings, that of the file first. One that leaves nothing is left out.
-pub(super) fn readings(
-    net: &PrintedNet,
-    statement: &Statement,
-    control: &Control<'_>,
-) -> Result<Vec<Reading>, AuditError> {
-    let mut found = Vec::new();
+pub(super) fn readings(net: &PrintedNet, audit: &mut NetAudit, control: &Control) -> Result<(), AuditError> {
     for convention in [net.convention, net.convention.other()] {
         control.check()?;
         let net = PrintedNet { convention, ..net.clone() };
-        found.extend(reading(&net, statement, control)?);
+        let reading = reading(&net, &audit.statement, control);
+        audit.readings.extend(reading.map_err(|error| control.unless_stopped(error))?);
     }
-    Ok(found)
+    Ok(())
 }
 
 fn reading(
     net: &PrintedNet,
     statement: &Statement,
-    control: &Control<'_>,
+    control: &Control,
 ) -> Result<Option<Reading>, AuditError> {
     let Subject::Patch(patch) = statement.subject() else { return Ok(None) };
     let field = field_of(statement);
-    let form = surface_condition(field, &Patch { net: net.homogeneous()?, ..patch.clone() });
+    let form = surface_condition_within(field, &Patch { net: net.homogeneous()?, ..patch.clone() }, control)?;
     let mut sizes = Vec::new();
     let mut largest: Option<(u32, u32, FieldElement, FieldElement)> = None;
     for (r, s, value) in form.coefficients() {
@@ -75,7 +72,7 @@ fn reading(
     let decimals = match printed {
         Some(printed) if printed > 0 => {
             control.check()?;
-            let bounds = bounds(net, patch, field)?;
+            let bounds = bounds(net, patch, field, control)?;
             (1..=printed).rev().find(|&decimals| within(&sizes, &bounds, decimals, field))
         }
         _ => None,
@@ -96,8 +93,9 @@ fn bounds(
     net: &PrintedNet,
     patch: &Patch,
     field: MultiquadraticField,
+    control: &Control,
 ) -> Result<Vec<Vec<FieldElement>>, AuditError> {
-    let mut work = Work::full();
+    let mut work = control.work();
     let mut rows = Vec::new();
     for row in &net.points {
         let mut points = Vec::new();
@@ -112,7 +110,7 @@ fn bounds(
         rows.push(points);
     }
     let surface = of_absolute_terms(&patch.surface);
-    let form = surface_condition(field, &Patch { net: rows, surface, ..patch.clone() });
+    let form = surface_condition_within(field, &Patch { net: rows, surface, ..patch.clone() }, control)?;
     let coefficients = form.coefficients().map(|(_, _, bound)| {
         let mut powers = vec![field.zero(); bound.degree().unwrap_or(0) as usize];
         for (monomial, value) in bound.terms().iter().filter(|(monomial, _)| monomial.degree() > 0) {

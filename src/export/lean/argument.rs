@@ -26,6 +26,7 @@ pub(super) fn name(premise: Premise) -> String {
 pub(super) fn steps(case: &Case, names: &Names, known: &mut Known) -> Result<String, ExportError> {
     let mut text = String::new();
     for (number, step) in (1u32..).zip(case.steps()) {
+        case.control.check()?;
         let mut factors = Vec::with_capacity(step.combination.len());
         let mut terms = Vec::with_capacity(step.combination.len());
         for (premise, multiplier) in &step.combination {
@@ -35,7 +36,7 @@ pub(super) fn steps(case: &Case, names: &Names, known: &mut Known) -> Result<Str
             factors.push((multiplier, equation));
         }
         let pairs: Vec<_> = factors.iter().map(|(multiplier, equation)| (multiplier, *equation)).collect();
-        let reductions = names.root_terms(&sum_of_products(&pairs)?, '-')?;
+        let reductions = names.root_terms(&sum_of_products(&pairs, &case.control)?, '-')?;
         let conclusion = lift(case, &step.conclusion)?;
         let own = Premise::Step(number);
         let _ = writeln!(

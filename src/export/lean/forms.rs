@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use super::super::case::Case;
 use super::super::flat::{lift, rationals, sum_of_products};
 use super::names::{COORDINATES, P, Q, ROOM, VALUES};
+use crate::control::Control;
 use crate::exact::{Limit, Monomial, Polynomial, Work};
 use crate::statement::Patch;
 
@@ -18,6 +19,7 @@ pub(super) struct Forms {
     /// X, Y, Z, W of each row, in p and q: `rows[k][i]`.
     rows: Vec<Vec<Polynomial>>,
     degree_in_v: usize,
+    control: Control,
 }
 
 impl Forms {
@@ -25,7 +27,8 @@ impl Forms {
         let ((m, n), degree) = (patch.bidegree, patch.surface.degree());
         let surface = surface(case, patch)?;
         let curves = (0..4).map(|k| curve(k, m)).collect::<Result<Vec<_>, _>>()?;
-        let along = compose(&surface, |variable| {
+        let mut work = case.control.work();
+        let along = compose(&surface, &mut work, |variable| {
             variable.checked_sub(COORDINATES).and_then(|k| curves.get(usize::from(k)))
         })?;
         let mut rows = vec![Vec::new(); 4];
@@ -36,11 +39,17 @@ impl Forms {
                     products.push((lift(case, &point[k])?, bernstein(n, j)?));
                 }
                 let pairs: Vec<_> = products.iter().map(|(value, basis)| (value, basis)).collect();
-                rows.push(sum_of_products(&pairs)?);
+                rows.push(sum_of_products(&pairs, &case.control)?);
             }
         }
         let top = |d: u32| usize::try_from(d * degree).unwrap_or(usize::MAX);
-        Ok(Forms { surface, along_curve: by_power(&along, top(m))?, rows, degree_in_v: top(n) })
+        Ok(Forms {
+            surface,
+            along_curve: by_power(&along, top(m))?,
+            rows,
+            degree_in_v: top(n),
+            control: case.control.clone(),
+        })
     }
 
     /// N = e·n.
@@ -55,7 +64,7 @@ impl Forms {
 
     /// `along_curve[r]` for the rows of the net: a polynomial in p and q.
     pub(super) fn along_net(&self, r: usize) -> Result<Polynomial, Limit> {
-        compose(&self.along_curve[r], |variable| {
+        compose(&self.along_curve[r], &mut self.control.work(), |variable| {
             let index = variable.checked_sub(VALUES)?;
             self.rows.get(usize::from(index / ROOM))?.get(usize::from(index % ROOM))
         })
@@ -87,7 +96,8 @@ fn curve(coordinate: u16, degree: u32) -> Result<Polynomial, Limit> {
         products.push((Polynomial::variable(VALUES + coordinate * ROOM + index), bernstein(degree, i)?));
     }
     let pairs: Vec<_> = products.iter().map(|(value, basis)| (value, basis)).collect();
-    sum_of_products(&pairs)
+    // A few dozen terms.
+    sum_of_products(&pairs, &Control::default())
 }
 
 /// C(n,k)·pᵏq^(n−k).
@@ -104,19 +114,20 @@ fn product(powers: Vec<(u16, u32)>) -> Result<Monomial, Limit> {
 /// The polynomial with others in the place of some variables.
 fn compose<'a>(
     polynomial: &Polynomial,
+    work: &mut Work,
     image: impl Fn(u16) -> Option<&'a Polynomial>,
 ) -> Result<Polynomial, Limit> {
-    let (field, mut work) = (rationals(), Work::full());
+    let field = rationals();
     let mut products = Vec::with_capacity(polynomial.term_count());
     for (monomial, coefficient) in polynomial.terms() {
         let mut value = Polynomial::rational(coefficient.clone());
         for &(variable, exponent) in monomial.powers() {
             let factor = image(variable).cloned().unwrap_or_else(|| Polynomial::variable(variable));
-            value = value.multiply(&factor.power(exponent, &field, &mut work)?, &field, &mut work)?;
+            value = value.multiply(&factor.power(exponent, &field, work)?, &field, work)?;
         }
         products.push(value);
     }
-    Polynomial::sum(&products, &field, &mut work)
+    Polynomial::sum(&products, &field, work)
 }
 
 /// The coefficients at pʳ(q^…), r = 0..top, of a form in p and q.

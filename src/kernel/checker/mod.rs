@@ -30,28 +30,58 @@ use crate::statement::Statement;
 /// variants where a file cannot be read or reaches a limit, which says nothing about the claim.
 pub fn check(statement: &[u8], certificate: &[u8]) -> Result<Theorem, CheckError> {
     // One allowance for everything that is done for these two files.
-    let mut work = Work::full();
-    let statement = Statement::read_bytes(statement, &mut work)?;
-    let certificate =
-        Certificate::read(certificate, &statement.ring(), statement.unknowns().len(), &mut work)?;
-    examine(&statement, &certificate, &mut work)
+    check_within(statement, certificate, &mut Work::full())
+}
+
+/// The same with an allowance that the caller holds.
+///
+/// # Errors
+/// As [`check`] has them; where the allowance was ended from outside, a limit.
+pub fn check_within(statement: &[u8], certificate: &[u8], work: &mut Work) -> Result<Theorem, CheckError> {
+    let statement = Statement::read_bytes(statement, work)?;
+    // Files that do not belong together are told apart before the certificate is read with the statement's names.
+    if let Some(actual) = Certificate::statement_of(certificate) {
+        same(&statement, actual)?;
+    }
+    let certificate = Certificate::read(certificate, &statement.ring(), statement.unknowns().len(), work)?;
+    examine(&statement, &certificate, work)
 }
 
 /// Checks a certificate against a statement, both read already.
+///
+/// # Errors
+/// As [`check`] has them.
 pub fn check_read(statement: &Statement, certificate: &Certificate) -> Result<Theorem, CheckError> {
+    check_read_within(statement, certificate, &mut Work::full())
+}
+
+/// The same with an allowance that the caller holds.
+///
+/// # Errors
+/// As [`check`] has them; where the allowance was ended from outside, a limit.
+pub fn check_read_within(
+    statement: &Statement,
+    certificate: &Certificate,
+    work: &mut Work,
+) -> Result<Theorem, CheckError> {
     // What was built in memory need not be well formed; what the reader accepts is.
-    let (ring, mut work) = (statement.ring(), Work::full());
+    let ring = statement.ring();
     let text = certificate.write(&ring);
-    let read = Certificate::read(text.as_bytes(), &ring, statement.unknowns().len(), &mut work)?;
-    examine(statement, &read, &mut work)
+    let read = Certificate::read(text.as_bytes(), &ring, statement.unknowns().len(), work)?;
+    examine(statement, &read, work)
 }
 
 fn examine(statement: &Statement, certificate: &Certificate, work: &mut Work) -> Result<Theorem, CheckError> {
-    let expected = statement.hash();
-    if certificate.statement != expected {
-        let actual = certificate.statement.clone();
-        return Err(Failure::Rejected(Rejection::OtherStatement { expected, actual }).into());
-    }
+    same(statement, &certificate.statement)?;
     let claim = certificate.argument.verify(statement, work)?;
     Ok(Theorem::established(statement, claim))
+}
+
+/// A certificate is for the statement that it names.
+fn same(statement: &Statement, named: &str) -> Result<(), CheckError> {
+    let expected = statement.hash();
+    if named == expected {
+        return Ok(());
+    }
+    Err(Failure::Rejected(Rejection::OtherStatement { expected, actual: named.to_owned() }).into())
 }

@@ -3,6 +3,7 @@
 //! A unit is about a nanosecond. Work is charged before it is done, so that a small file cannot ask for much.
 
 use std::fmt;
+use std::sync::Arc;
 
 use num_bigint::BigInt;
 
@@ -25,6 +26,11 @@ impl Limit {
         Limit { what, at_most }
     }
 
+    /// The work was ended from outside ([`Work::until`]).
+    pub fn ended() -> Self {
+        Limit::new("units of work before it was ended from outside", 0)
+    }
+
     /// The limit on the length of a polynomial.
     pub fn terms() -> Self {
         Limit::new("terms of a polynomial", count(limits::TERMS))
@@ -38,6 +44,9 @@ impl Limit {
 
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if *self == Limit::ended() {
+            return f.write_str("ended from outside before it was done");
+        }
         write!(f, "limit reached: at most {} {}", self.at_most, self.what)
     }
 }
@@ -71,9 +80,19 @@ impl fmt::Display for Stop {
 impl std::error::Error for Stop {}
 
 /// The work still allowed.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Work {
     left: u64,
+    ended: Option<Arc<Ended>>,
+}
+
+/// Whether whoever waits for the work has had enough.
+type Ended = dyn Fn() -> bool + Send + Sync;
+
+impl fmt::Debug for Work {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Work({} units left)", self.left)
+    }
 }
 
 impl Work {
@@ -83,20 +102,42 @@ impl Work {
     /// One step of a division, a common divisor or a root, beside its words.
     const STEP: u64 = 8;
 
+    /// Units between two questions whether the work is ended from outside: some milliseconds.
+    const PAUSE: u64 = 1 << 22;
+
     /// The full allowance of [`limits::WORK`].
     pub fn full() -> Self {
-        Work { left: limits::WORK }
+        Work { left: limits::WORK, ended: None }
+    }
+
+    /// The full allowance, which whoever waits for the work can end before its time: every few million units `ended` is
+    /// asked. To be ended is to reach a limit, which is an error and never a verdict.
+    pub fn until(ended: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        Work { left: limits::WORK, ended: Some(Arc::new(ended)) }
+    }
+
+    /// Not more than so many units.
+    #[must_use]
+    pub fn at_most(self, units: u64) -> Self {
+        Work { left: self.left.min(units), ..self }
     }
 
     /// Takes `amount` from the allowance.
     pub fn charge(&mut self, amount: u64) -> Result<(), Limit> {
-        match self.left.checked_sub(amount) {
-            Some(left) => {
-                self.left = left;
-                Ok(())
-            }
-            None => Err(Limit::new("units of work", limits::WORK)),
+        let Some(left) = self.left.checked_sub(amount) else {
+            return Err(Limit::new("units of work", limits::WORK));
+        };
+        let asks = self.left.div_ceil(Work::PAUSE) != left.div_ceil(Work::PAUSE);
+        if asks && self.ended.as_ref().is_some_and(|ended| ended()) {
+            return Err(Limit::ended());
         }
+        self.left = left;
+        Ok(())
+    }
+
+    /// Units taken so far from the full allowance.
+    pub fn spent(&self) -> u64 {
+        limits::WORK.saturating_sub(self.left)
     }
 
     /// A look through a list of so many names.
