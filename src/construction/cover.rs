@@ -1,6 +1,7 @@
 //! Whether a net covers the polygon between its corners: the certificate, and what the checker makes of it.
 
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use crate::algebra::{FieldElement, Integer, Polynomial};
 use crate::approximation::{NoTree, positive_tree};
@@ -30,10 +31,12 @@ pub enum CoverError {
         zero: bool,
     },
     /// Positive wherever it was looked at, but not shown to be so everywhere.
-    #[error("{what} is not shown to be positive on the whole square by {BOXES} boxes")]
+    #[error("{what} is not shown to be positive on the whole square{}", around(near.as_deref()))]
     NotShown {
         /// Of what.
         what: &'static str,
+        /// Where it comes too near to 0 to tell; nowhere if the boxes became too many.
+        near: Option<Box<[BigRational; 2]>>,
     },
     /// A limit of the checker.
     #[error("the checker, which judges every certificate, has limits: {0}")]
@@ -75,6 +78,10 @@ pub fn cover(
                     at[number / 2] = BigRational::from_integer((number % 2).into());
                     CoverError::NotPositive { what, at, zero }
                 }
+                CoverError::NotShown { what, near: Some(mut near) } => {
+                    near[number / 2] = BigRational::from_integer((number % 2).into());
+                    CoverError::NotShown { what, near: Some(near) }
+                }
                 other => other,
             })?;
         edges[number] = EdgeTree::Arc(tree);
@@ -108,9 +115,16 @@ fn positive(
 ) -> Result<Tree, CoverError> {
     positive_tree(bidegree, values, BOXES, control).map_err(|why| match why {
         NoTree::Interrupted(why) => CoverError::Interrupted(why),
-        NoTree::TooMany | NoTree::Near(_) => CoverError::NotShown { what },
+        NoTree::TooMany => CoverError::NotShown { what, near: None },
+        NoTree::Near(near) => CoverError::NotShown { what, near: Some(near) },
         NoTree::Fails { at, zero } => CoverError::NotPositive { what, at, zero },
     })
+}
+
+fn around(near: Option<&[BigRational; 2]>) -> String {
+    let Some(near) = near else { return format!(" by {BOXES} boxes") };
+    let [u, v] = near.each_ref().map(|x| x.to_f64().unwrap_or(f64::NAN));
+    format!(": it comes too near to 0 around (u, v) = ({u:.6}, {v:.6})")
 }
 
 fn vector([x, y, z, _]: &Point) -> Vector {

@@ -274,3 +274,39 @@ fn square_roots_that_mix_radicals() {
     assert_eq!(element([1, 1, 0, 0]).square_root(), None);
     assert_eq!(element([-2, 0, 0, 0]).square_root(), None);
 }
+
+/// (√2 − 1)ⁿ and other numbers that cancel to nearly nothing have the sign that the trusted part finds, and so have their negatives.
+#[test]
+fn signs_of_numbers_near_zero() {
+    use prove_cap::algebra::Sign;
+    let field = field();
+    let root = |n: i64| field.integer(n).square_root().unwrap();
+    let unit = &root(2) - &field.one();
+    let other = &root(5) - &field.integer(2);
+    let mut power = field.one();
+    for n in 0..40 {
+        power = &power * &if n % 2 == 0 { unit.clone() } else { other.clone() };
+        assert_eq!((power.sign(), (-&power).sign()), (Sign::Positive, Sign::Negative), "{n}");
+        // Not the signs of the coordinates: one of these is near zero.
+        let conjugate = &power - &(&power * &root(3));
+        assert_eq!(conjugate.sign(), Sign::Negative, "{n}");
+        assert_eq!((&conjugate - &conjugate).sign(), Sign::Zero);
+    }
+}
+
+proptest! {
+    #[test]
+    fn signs_are_those_of_the_trusted_part(a in element(), b in element(), c in element()) {
+        use std::cmp::Ordering;
+        use prove_cap::algebra::Sign;
+        let value = &(&a * &b) - &(&b * &(&a + &(&c * &c)));
+        let exact = polynomial_to_exact(&Polynomial::constant(value.clone())).unwrap();
+        let trusted = exact::sign(&exact, &radicands(), &mut Work::full()).unwrap().unwrap();
+        let own = match value.sign() {
+            Sign::Negative => Ordering::Less,
+            Sign::Zero => Ordering::Equal,
+            Sign::Positive => Ordering::Greater,
+        };
+        prop_assert_eq!(own, trusted);
+    }
+}

@@ -314,11 +314,9 @@ fn a_phase_that_closes_makes_the_answer_exact() {
         // The net is on the sphere, but it covers no polygon: an edge takes the longer way.
         let made = construct(&polygon, "closed", (2, 2), None, &control()).unwrap();
         assert_eq!(made.exact.1.kind(), "exact");
-        assert!(
-            matches!(made.cover, Err(CoverError::NotPositive { .. } | CoverError::NotShown { .. })),
-            "{:?}",
-            made.cover
-        );
+        let refused = matches!(made.cover, Err(CoverError::NotPositive { .. } | CoverError::NotShown { .. }));
+        println!("{:?}", made.cover.as_ref().map(|_| ()));
+        assert!(refused, "{:?}", made.cover);
     }
 }
 

@@ -1,5 +1,6 @@
 //! The engine on systems whose answer is known for another reason.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use prove_cap::checker::{Claim, ExactNet, Solution};
@@ -253,12 +254,19 @@ fn time_and_the_user_stop_the_work() {
         Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(stopped))) => stopped,
         other => panic!("{other:?}"),
     };
-    // A clock that has run out when it is looked at for the hundredth time.
-    let looks = AtomicUsize::new(0);
-    let clock = move || (looks.fetch_add(1, Ordering::Relaxed) >= 100).then_some(Why::Time);
-    let late = stopped(&Control::watched(clock));
-    assert_eq!(late.why, Why::Time);
-    assert!(late.reached.is_some_and(|reached| reached.contains("linear equations")));
+    // A clock that has run out when it is looked at for the n-th time; then nobody looks again.
+    let mut told = None;
+    for n in [1, 10, 100, 1000, 10_000] {
+        let looks = Arc::new(AtomicUsize::new(0));
+        let counted = looks.clone();
+        let clock = move || (counted.fetch_add(1, Ordering::Relaxed) + 1 >= n).then_some(Why::Time);
+        let late = stopped(&Control::watched(clock));
+        assert_eq!(late.why, Why::Time);
+        // Two threads may look at once.
+        assert!((n..n + 8).contains(&looks.load(Ordering::Relaxed)), "{n}: {looks:?}");
+        told = late.reached;
+    }
+    assert!(told.is_some_and(|told| !told.is_empty()), "where it was");
     let control = Control::default();
     control.stop(Why::Interrupt);
     control.stop(Why::Memory);

@@ -260,7 +260,7 @@ fn a_patch_through_the_centre_of_the_sphere_comes_as_near_as_it_does() {
     for places in [1, 12] {
         let enclosure = enclosed(&bowl(0, 1), &[], places);
         assert_eq!(enclosure.bounds.lower.bound, BigInt::from(0), "{places}");
-        assert!(enclosure.best[0]);
+        assert!(enclosure.best[0], "{places}");
     }
     // Everything at the centre.
     let enclosure = enclosed(&bowl(0, 0), &[], 12);
