@@ -41,6 +41,8 @@ pub(super) enum Shown {
 
 /// Bits of the uncertainty of coefficients in fixed point: each halving rounds as often as the form has degrees.
 pub(super) const NOISE: u32 = 24;
+/// By how many bits the largest coefficient of a box is beyond that where smaller boxes may show what this one does not.
+const FEW: u32 = 8;
 /// Halvings of a box, so that rounding stays below that: 4096 · 256 < 2²⁴.
 const DEPTH: u32 = 4096;
 /// How often the precision for a positive form is doubled before it is given up.
@@ -57,8 +59,8 @@ pub(super) struct Grown {
 
 /// The tree in preorder on whose boxes the coefficients have the sign, each halved only if they have not.
 ///
-/// It is found in fixed point with this many bits; what rounding leaves open is decided exactly. If that does not show the
-/// sign either, smaller boxes would not show it by more than rounding: the search ends.
+/// It is found in fixed point with this many bits; what rounding leaves open is decided exactly. Where all coefficients of a box
+/// are that small and do not show the sign, smaller boxes would not show it by more than rounding: the search ends.
 pub(super) fn tree(
     form: &ExactForm,
     bits: u32,
@@ -124,6 +126,10 @@ fn shows(
         }
         control.check()?;
         if fails(form.on_box(part, place)) {
+            // A 0 among larger ones goes away in smaller boxes.
+            if rounded.values.iter().any(|value| value.bits() > u64::from(NOISE + FEW)) {
+                return Ok(false);
+            }
             let [low, high] = [part.place(0), part.place(3)];
             let two = BigRational::from_integer(2.into());
             let middle = std::array::from_fn(|axis| (&low[axis] + &high[axis]) / &two);

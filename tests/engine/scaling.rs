@@ -169,6 +169,23 @@ fn weights_that_are_not_positive_are_refused_at_a_place_where_that_is_so() {
     assert_eq!(error("0"), format!("{start} 0 at u = 1, v = 1, expected positive on the whole square"));
 }
 
+/// Weights of 0 between positive ones: W = ((1 − u)² + u²)((1 − v)² + v²).
+#[test]
+fn a_weight_of_zero_is_no_zero_of_the_denominator() {
+    let weights = ["1", "0", "1"];
+    let rows = weights.map(|a| {
+        let points = weights.map(|b| format!("[\"{a}\", \"{b}\", \"1\", \"{a}*{b}\"]"));
+        format!("[{}]", points.join(", "))
+    });
+    let text = format!(
+        "title = \"t\"\nradicands = []\nunknowns = []\nconvention = \"homogeneous\"\nbidegree = [2, 2]\nnet = [{}]\n",
+        rows.join(", ")
+    );
+    let enclosure = enclosed(&Statement::read(&text).unwrap(), &[], 12);
+    // At (1/2, 1/2) X = Y = 1/2, Z = 1 and W = 1/4: r = 2√6.
+    assert_eq!(spelled(&enclosure.bounds), ["1.732050807568", "4.898979485567"]);
+}
+
 /// W = (3u − 1)² + (7v − 2)² + c, biquadratic.
 fn well(c: &str) -> Statement {
     let (of_u, of_v) = (["1", "-2", "4"], ["4", "-10", "25"]);
