@@ -44,7 +44,7 @@ pub fn zeros_in_field(
     })
 }
 
-/// Common zeros of a system in K, by variable: of up to [`ZEROS`] zeros all those in K, but no more than [`POINTS`].
+/// Common zeros of a system in K, by variable: of up to `ZEROS` zeros all those in K, but no more than `POINTS`.
 /// Nothing is claimed of them (the checker has the last word).
 pub fn points_in_field(
     system: &System,

@@ -319,7 +319,7 @@ fn a_phase_that_closes_makes_the_answer_exact() {
         };
         assert_eq!(what, "an edge's side of its arc");
         // The place is on an edge.
-        assert!(at.iter().any(|x| x.is_integer()), "{at:?}");
+        assert!(at.iter().any(num_rational::BigRational::is_integer), "{at:?}");
     }
 }
 
