@@ -1,11 +1,13 @@
 //! Statement and certificate on disk.
 
-use std::fs;
+use std::fs::{self, File, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::arguments::{Format, to_json};
 use super::check::examine_within;
+use super::control::stopped;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
 use crate::control::{Control, Interrupted};
@@ -14,13 +16,17 @@ use crate::report::Files;
 use crate::report::stopped::stopped_by;
 use crate::statement::Statement;
 
+/// How often it is looked whether another run is done with a directory.
+const LOOK: Duration = Duration::from_millis(5);
+
 /// Why files that were written have no verdict.
 #[derive(Debug)]
 pub(super) enum Unchecked {
     /// Something failed.
     Failure(Failure),
     /// The work was stopped while the checker read what had been written.
-    Stopped(Interrupted, Files),
+    /// `None` before anything was written.
+    Stopped(Interrupted, Option<Files>),
 }
 
 impl From<Failure> for Unchecked {
@@ -34,7 +40,8 @@ impl Unchecked {
     pub(super) fn outcome(self, name: &str, format: Format) -> Result<Outcome, Failure> {
         let (why, files) = match self {
             Unchecked::Failure(failure) => return Err(failure),
-            Unchecked::Stopped(why, files) => (why, files),
+            Unchecked::Stopped(why, None) => return stopped(name, format, &why),
+            Unchecked::Stopped(why, Some(files)) => (why, files),
         };
         let [statement, certificate] =
             [&files.statement, &files.certificate].map(|file| file.display().to_string());
@@ -71,6 +78,7 @@ pub(super) fn write_and_check(
 
 /// Writes a statement and a certificate into a directory that holds no other statement, and lets the checker judge them.
 ///
+/// Runs that write into one directory do so one after another, so that no pair is mixed: the last one's files remain.
 /// The statement first: whoever looks in between sees the new statement beside an old certificate, which names another
 /// statement and is refused for that.
 pub(super) fn write_pair(
@@ -82,6 +90,7 @@ pub(super) fn write_pair(
     fs::create_dir_all(directory)
         .map_err(|error| Failure(format!("{}: cannot be created: {error}", directory.display())))?;
     let files = Files { statement: directory.join("statement.toml"), certificate: directory.join(name) };
+    let _alone = alone_in(directory, control).map_err(|why| Unchecked::Stopped(why, None))?;
     write_atomically(&files.statement, statement.as_bytes())?;
     write_atomically(&files.certificate, certificate.as_bytes())?;
     match examine_within(&files.statement, &files.certificate, &mut control.work()) {
@@ -92,8 +101,20 @@ pub(super) fn write_pair(
         }
         Err(failure) => Err(match control.check() {
             Ok(()) => Unchecked::Failure(failure),
-            Err(why) => Unchecked::Stopped(why, files),
+            Err(why) => Unchecked::Stopped(why, Some(files)),
         }),
+    }
+}
+
+/// Waits until no other run writes into the directory. Where the system cannot lock one, nothing is waited for.
+fn alone_in(directory: &Path, control: &Control) -> Result<Option<File>, Interrupted> {
+    let Ok(opened) = File::open(directory) else { return Ok(None) };
+    loop {
+        match opened.try_lock() {
+            Err(TryLockError::WouldBlock) => control.check()?,
+            Ok(()) | Err(TryLockError::Error(_)) => return Ok(Some(opened)),
+        }
+        std::thread::sleep(LOOK);
     }
 }
 

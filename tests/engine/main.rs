@@ -11,5 +11,6 @@ mod refutation;
 mod roots;
 mod scale;
 mod scaling;
+mod stopping;
 mod systems;
 mod zeros;
