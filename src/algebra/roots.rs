@@ -29,7 +29,7 @@ impl Univariate {
         &self,
         mut check: impl FnMut() -> Result<(), E>,
     ) -> Result<Vec<FieldElement>, E> {
-        let mut rest = if self.seems_squarefree() { self.clone() } else { self.squarefree() };
+        let mut rest = if self.seems_squarefree() { self.clone() } else { self.squarefree(&mut check)? };
         let mut roots = Vec::new();
         while rest.degree() > 2 {
             match find(&rest, &mut check)? {

@@ -39,30 +39,39 @@ impl Univariate {
         Univariate::new(self.field, terms.map(|(k, c)| c * &self.field.integer(k)).collect())
     }
 
-    /// (quotient, remainder) of the division by a non-zero polynomial.
-    fn divide(&self, divisor: &Self) -> (Self, Self) {
+    /// (quotient, remainder) of the division by a non-zero polynomial. `check` is asked for each term of the quotient.
+    fn divide<E>(
+        &self,
+        divisor: &Self,
+        check: &mut impl FnMut() -> Result<(), E>,
+    ) -> Result<(Self, Self), E> {
         let inverse =
             divisor.coefficients.last().and_then(FieldElement::inverse).expect("a non-zero divisor");
         let mut rest = self.coefficients.clone();
         let mut quotient = vec![self.field.zero(); rest.len().saturating_sub(divisor.degree())];
         for shift in (0..quotient.len()).rev() {
+            check()?;
             let factor = &rest[shift + divisor.degree()] * &inverse;
             for (k, c) in divisor.coefficients.iter().enumerate() {
                 rest[shift + k] = &rest[shift + k] - &(&factor * c);
             }
             quotient[shift] = factor;
         }
-        (Univariate::new(self.field, quotient), Univariate::new(self.field, rest))
+        Ok((Univariate::new(self.field, quotient), Univariate::new(self.field, rest)))
     }
 
-    /// The polynomial with the same roots, each once.
-    pub fn squarefree(&self) -> Self {
+    /// The polynomial with the same roots, each once, by Euclid's algorithm. The coefficients on the way have up to
+    /// about 2n times as many digits as the first ones.
+    ///
+    /// # Errors
+    /// What `check` says; it is asked in every loop.
+    pub fn squarefree<E>(&self, mut check: impl FnMut() -> Result<(), E>) -> Result<Self, E> {
         let (mut a, mut b) = (self.clone(), self.derivative());
         while !b.coefficients.is_empty() {
-            let rest = a.divide(&b).1;
+            let rest = a.divide(&b, &mut check)?.1;
             (a, b) = (b, rest);
         }
-        if a.degree() == 0 { self.clone() } else { self.divide(&a).0 }
+        Ok(if a.degree() == 0 { self.clone() } else { self.divide(&a, &mut check)?.0 })
     }
 
     /// The same polynomial over a field that contains K.
@@ -77,7 +86,20 @@ impl Univariate {
 
     /// The polynomial divided by x − root.
     pub(super) fn without_root(&self, root: &FieldElement) -> Self {
-        self.divide(&Univariate::new(self.field, vec![-root, self.field.one()])).0
+        // Horner's scheme: its values but the last, which is the remainder.
+        let mut value = self.field.zero();
+        let mut quotient: Vec<_> = self
+            .coefficients
+            .iter()
+            .rev()
+            .map(|c| {
+                value = &(&value * root) + c;
+                value.clone()
+            })
+            .collect();
+        quotient.pop();
+        quotient.reverse();
+        Univariate::new(self.field, quotient)
     }
 
     /// The roots in K of a squarefree polynomial of degree 1 or 2; none of any other.
@@ -101,25 +123,25 @@ impl Univariate {
     }
 
     /// The number of distinct real roots: Sturm's theorem (Basu, Pollack, Roy, Algorithms in Real Algebraic
-    /// Geometry, section 2.2.2), signs decided exactly. `None` where numbers grow beyond the limits of `exact`.
-    pub fn count_real_roots(&self) -> Option<usize> {
+    /// Geometry, section 2.2.2), signs decided exactly. It costs about as much as [`squarefree`](Self::squarefree).
+    ///
+    /// # Errors
+    /// What `check` says; it is asked in every loop.
+    pub fn count_real_roots<E>(&self, mut check: impl FnMut() -> Result<(), E>) -> Result<usize, E> {
         let mut chain = vec![self.clone(), self.derivative()];
         while let [.., a, b] = chain.as_slice()
             && !b.coefficients.is_empty()
         {
-            let negated = a.divide(b).1.coefficients.iter().map(|c| -c).collect();
+            let negated = a.divide(b, &mut check)?.1.coefficients.iter().map(|c| -c).collect();
             chain.push(Univariate::new(self.field, negated));
         }
-        let leading = |at_minus_infinity: bool| {
-            let signs = chain.iter().filter_map(|p| Some((p.degree(), p.coefficients.last()?)));
-            signs
-                .map(|(degree, c)| {
-                    let positive = c.sign() == Sign::Positive;
-                    Some(positive != (at_minus_infinity && degree % 2 == 1))
-                })
-                .collect::<Option<Vec<bool>>>()
+        let positive_at = |at_minus_infinity: bool| {
+            let leading = chain.iter().filter_map(|p| Some((p.degree(), p.coefficients.last()?)));
+            let positive = leading
+                .map(|(degree, c)| (c.sign() == Sign::Positive) != (at_minus_infinity && degree % 2 == 1));
+            positive.collect::<Vec<bool>>()
         };
         let variations = |signs: Vec<bool>| signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
-        Some(variations(leading(true)?) - variations(leading(false)?))
+        Ok(variations(positive_at(true)) - variations(positive_at(false)))
     }
 }

@@ -37,6 +37,8 @@ pub struct Eliminant {
     pub polynomial: Univariate,
     /// All its roots in K.
     pub roots: Vec<FieldElement>,
+    /// How many distinct real roots it has, if that was counted.
+    pub real_roots: Option<usize>,
 }
 
 impl Closure {
@@ -69,10 +71,17 @@ impl Closure {
                 let solved = linear.equation(derivation, variable);
                 let polynomial = eliminant(variable, solved, &basis, field, control)?;
                 let roots = polynomial.roots_in_field(|| control.check())?;
-                eliminants.push(Eliminant { variable, polynomial, roots });
+                eliminants.push(Eliminant { variable, polynomial, roots, real_roots: None });
             }
         }
         Ok(Closure { linear: linear.equations(derivation), basis, verified, dimension, zeros, eliminants })
+    }
+
+    /// Counts the real roots of the eliminants, until it is stopped.
+    pub fn count_real_roots(&mut self, control: &Control) {
+        for eliminant in &mut self.eliminants {
+            eliminant.real_roots = eliminant.polynomial.count_real_roots(|| control.check()).ok();
+        }
     }
 }
 

@@ -26,7 +26,7 @@ fn only_eliminant(
     let Some(variable) = variable.filter(|_| few && closure.eliminants.is_empty()) else { return Ok(None) };
     let polynomial = eliminant(variable, None, &closure.basis, system.field(), control)?;
     let roots = polynomial.roots_in_field(|| control.check())?;
-    Ok(Some(Eliminant { variable, polynomial, roots }))
+    Ok(Some(Eliminant { variable, polynomial, roots, real_roots: None }))
 }
 
 /// The zeros in K of a system as far as [`points_in_field`] finds them, and its closure where it has finitely many and
@@ -54,7 +54,7 @@ pub fn points_in_field(
     // The variable with the fewest possible values: each is tried in turn.
     let only = only_eliminant(system, closure, control)?;
     let mut fewest: Option<(u16, &Vec<FieldElement>)> = None;
-    for Eliminant { variable, polynomial, roots } in closure.eliminants.iter().chain(&only) {
+    for Eliminant { variable, polynomial, roots, .. } in closure.eliminants.iter().chain(&only) {
         if polynomial.degree() > 1 && fewest.is_none_or(|(_, others)| roots.len() < others.len()) {
             fewest = Some((*variable, roots));
         }

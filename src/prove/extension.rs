@@ -96,12 +96,12 @@ fn larger_fields(
     control: &Control,
 ) -> Result<Vec<MultiquadraticField>, Interrupted> {
     let field = polynomial.field();
-    let squarefree = polynomial.squarefree();
+    let squarefree = polynomial.squarefree(|| control.check())?;
     if let Some(discriminant) = squarefree.discriminant() {
         let radicands = discriminant.radicands_of_root(limits::RADICAND);
         return Ok(radicands.and_then(|radicands| field.with(&radicands)).into_iter().collect());
     }
-    if squarefree.count_real_roots() == Some(0) {
+    if squarefree.count_real_roots(|| control.check())? == 0 {
         return Ok(Vec::new());
     }
     let singles = PRIMES.iter().map(|&p| vec![p]);

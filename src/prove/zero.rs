@@ -161,13 +161,14 @@ fn weights_first(statement: &Statement) -> Vec<u16> {
 pub(super) fn undecided(
     statement: &Statement,
     system: &System,
-    closure: Closure,
+    mut closure: Closure,
     tried: Option<Tried>,
     control: &Control,
 ) -> Attempt {
     let isolated = tried.as_ref().and_then(|tried| tried.isolated.as_ref());
     let (of, its_closure) = isolated.map_or((system, &closure), |(system, closure)| (system, closure));
-    // An optional hint: that it was interrupted takes nothing from what is known.
+    // Optional: that it was interrupted takes nothing from what is known.
     let extension = super::extension::find(statement, of, its_closure, control).ok().flatten();
+    closure.count_real_roots(control);
     Attempt::Undecided(Reason::Consistent(Box::new(Consistent { closure, tried, extension })))
 }

@@ -374,7 +374,7 @@ fn consistent_data(
             let constant = polynomial_to_exact(&algebra::Polynomial::constant(c.clone()))?;
             coefficients.push(statement.ring().spell(&constant));
         }
-        let real_roots = eliminant.polynomial.count_real_roots();
+        let real_roots = eliminant.real_roots;
         eliminants.push(EliminantData { unknown: unknown.clone(), coefficients, real_roots });
     }
     Ok(ReasonData::Consistent {

@@ -192,14 +192,14 @@ fn coordinates(statement: &Statement, closure: &Closure) -> Result<String, Limit
         .filter_map(|eliminant| Some((unknowns.get(usize::from(eliminant.variable))?, eliminant)));
     let mut text = String::new();
     let (mut real, mut in_field) = (true, true);
-    for (name, Eliminant { variable, polynomial: eliminant, roots: inside }) in of_unknowns {
+    for (name, Eliminant { variable, polynomial: eliminant, roots: inside, real_roots }) in of_unknowns {
         let terms = (0u32..).zip(eliminant.coefficients()).map(|(k, c)| {
             let powers = if k == 0 { Vec::new() } else { vec![(*variable, k)] };
             (Monomial::from_powers(powers), c.clone())
         });
         let polynomial = Polynomial::from_terms(field_of(statement), terms);
         let formula = Notation::new(statement.ring()).shortened(&polynomial_to_exact(&polynomial)?, LINE);
-        let roots = match eliminant.count_real_roots() {
+        let roots = match real_roots {
             Some(0) => {
                 real = false;
                 "no real root".to_owned()
