@@ -5,14 +5,15 @@ mod zero;
 
 use crate::algebra::{MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact};
 use crate::bezier::{BernsteinForm, surface_condition_within};
-use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::checker::{CheckError, Equations, Theorem, check_read_within};
+use crate::certificate::{Argument, Premise, Step};
+use crate::checker::{CheckError, Equations};
 use crate::control::{Control, Interrupted};
 use crate::elimination::{
     Closure, Derivation, NamedStep, Outcome, Progress, Source, System, Tried, Undecided, eliminate,
     points_in_field,
 };
 use crate::exact::{self, Limit, Stop};
+use crate::proof::{NoProof, Proof};
 use crate::statement::{Statement, Subject};
 
 pub use extension::Extension;
@@ -25,10 +26,8 @@ pub use zero::{Freedom, image_of};
 pub enum Attempt {
     /// The claim is established: impossible, exact, or a solution of a system.
     Proved {
-        /// The certificate.
-        certificate: Certificate,
-        /// What the checker made of it.
-        theorem: Box<Theorem>,
+        /// What the checker has accepted.
+        proof: Proof,
         /// What was chosen where there are infinitely many zeros.
         freedom: Freedom,
     },
@@ -96,11 +95,12 @@ impl From<Limit> for NoAnswer {
     }
 }
 
-impl From<CheckError> for NoAnswer {
-    fn from(error: CheckError) -> Self {
-        match error.limit() {
-            Some(limit) => NoAnswer::Limit(limit.clone()),
-            None => NoAnswer::Error(ProveError::Refused(error)),
+impl From<NoProof> for NoAnswer {
+    fn from(why: NoProof) -> Self {
+        match why {
+            NoProof::Interrupted(why) => NoAnswer::Interrupted(why),
+            NoProof::Limit(limit) => NoAnswer::Limit(limit),
+            NoProof::Refused(error) => NoAnswer::Error(ProveError::Refused(error)),
         }
     }
 }
@@ -221,14 +221,8 @@ fn search(statement: &Statement, control: &Control) -> Result<Attempt, NoAnswer>
 const NO_DENOMINATOR: Attempt = Attempt::Undecided(Reason::NoDenominator);
 
 /// The certificate with this argument, and what the checker says of it.
-fn checked(statement: &Statement, argument: Argument, control: &Control) -> Result<Attempt, CheckError> {
-    let certificate = Certificate { statement: statement.hash(), argument };
-    let theorem = check_read_within(statement, &certificate, &mut control.work());
-    theorem.map(|theorem| Attempt::Proved {
-        certificate,
-        theorem: Box::new(theorem),
-        freedom: Freedom::default(),
-    })
+fn checked(statement: &Statement, argument: Argument, control: &Control) -> Result<Attempt, NoProof> {
+    Ok(Attempt::Proved { proof: Proof::of(statement, argument, control)?, freedom: Freedom::default() })
 }
 
 fn steps(derivation: &Derivation<'_>, unit: Source, control: &Control) -> Result<Vec<Step>, NoAnswer> {

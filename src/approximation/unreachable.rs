@@ -19,12 +19,11 @@ use super::normal::{Normal, power as power_of_two};
 use super::progress::Progress;
 use crate::algebra::Integer;
 use crate::bezier::{BernsteinForm, surface_condition};
-use crate::certificate::{
-    Argument, Certificate, Odds, Quantity, Region as Node, Side, Units, Unreachable, decimal_value,
-};
-use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::certificate::{Argument, Odds, Quantity, Region as Node, Side, Units, Unreachable, decimal_value};
+use crate::checker::CheckError;
 use crate::control::{Control, Interrupted};
 use crate::exact::{self, Limit, Work};
+use crate::proof::{NoProof, Proof};
 use crate::prove::field_of;
 use crate::statement::{Patch, Statement};
 
@@ -62,6 +61,16 @@ pub enum UnreachableError {
     Refused(CheckError),
 }
 
+impl From<NoProof> for UnreachableError {
+    fn from(why: NoProof) -> Self {
+        match why {
+            NoProof::Interrupted(why) => UnreachableError::Interrupted(why),
+            NoProof::Limit(limit) => UnreachableError::Limit(limit),
+            NoProof::Refused(error) => UnreachableError::Refused(error),
+        }
+    }
+}
+
 /// An argument that no values of the unknowns reach further, accepted by the checker.
 #[derive(Debug, Clone)]
 pub struct Barrier {
@@ -69,10 +78,8 @@ pub struct Barrier {
     pub boxes: usize,
     /// Half of what lies between the decimals that no values stay between.
     pub half_width: BigRational,
-    /// The certificate.
-    pub certificate: Certificate,
-    /// What the checker made of it.
-    pub theorem: Theorem,
+    /// What the checker has accepted.
+    pub proof: Proof,
 }
 
 /// Proves that no values of the unknowns keep the quantity strictly between two decimals with the given places.
@@ -117,13 +124,8 @@ pub fn exclude(
         samples,
         charts,
     };
-    let certificate = Certificate { statement: statement.hash(), argument: Argument::Unreachable(argument) };
-    let checked = check_read_within(statement, &certificate, &mut control.work());
-    let theorem = checked.map_err(|error| match error.limit() {
-        Some(limit) => control.unless_stopped(UnreachableError::Limit(limit.clone())),
-        None => UnreachableError::Refused(error),
-    })?;
-    Ok(Barrier { boxes, half_width, certificate, theorem })
+    let proof = Proof::of(statement, Argument::Unreachable(argument), control)?;
+    Ok(Barrier { boxes, half_width, proof })
 }
 
 /// Powers of two that the sides are measured in, so that none is lost beside another: F and Wᵉ, and W.

@@ -21,6 +21,7 @@ use crate::approximation::{
 };
 use crate::certificate::Quantity;
 use crate::control::{Control, Interrupted};
+use crate::proof::Proof;
 use crate::report::Files;
 use crate::report::bounds::{
     Gap, barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, error_value, symbol,
@@ -128,16 +129,16 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
         Some(Err(UnreachableError::Refused(error))) => return Err(Failure::of(error)),
         Some(Err(error)) => (None, Some(error)),
     };
-    let write = |kind: &str, certificate: &crate::certificate::Certificate| {
-        let text = certificate.write(&source.statement.ring());
-        let name = sealed_name(kind, &text);
-        match write_and_check(&source, options.output.as_deref(), (&text, &name), &Control::default()) {
+    let write = |kind: &str, proof: &Proof| {
+        let name = sealed_name(kind, proof.text());
+        let certificate = (proof.text(), &*name);
+        match write_and_check(&source, options.output.as_deref(), certificate, &Control::default()) {
             Ok(files) => Ok(files),
             Err(Unchecked::Failure(failure)) => Err(failure),
             Err(Unchecked::Stopped(why, _)) => Err(Failure::of(why)),
         }
     };
-    let files = write("bounds", &found.enclosure.certificate)?;
+    let files = write("bounds", &found.enclosure.proof)?;
     let symbol = symbol(found.enclosure.bounds.quantity, degree);
     let about = match &barrier {
         Some(barrier) => {
@@ -147,8 +148,7 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
         None => format!("best found for: {}", options.goal(&symbol)),
     };
     let picture = options.plot.draw(&source, degree, &found.enclosure, Some(&about), &Control::default())?;
-    let barrier =
-        barrier.map(|barrier| Ok((write("unreachable", &barrier.certificate)?, barrier))).transpose()?;
+    let barrier = barrier.map(|barrier| Ok((write("unreachable", &barrier.proof)?, barrier))).transpose()?;
     let status = if open.is_some() { Status::Undecided } else { Status::Established };
     let answer = Answer { source: &source, options, degree, found, files, barrier, open, picture };
     let text = match format {
@@ -270,9 +270,9 @@ impl Answer<'_> {
         if let Some((_, barrier)) = &self.barrier {
             text += &barrier_text(barrier, &gap(&self.found, barrier));
         }
-        text += &checked_text(&enclosure.theorem, &self.files);
+        text += &checked_text(enclosure.proof.theorem(), &self.files);
         if let Some((files, barrier)) = &self.barrier {
-            text += &checked_text(&barrier.theorem, files);
+            text += &checked_text(barrier.proof.theorem(), files);
         }
         text += &self.picture;
         text
@@ -309,7 +309,7 @@ impl Answer<'_> {
                     "none_better_than": gap.unreached.to_string(),
                     "within": gap.relative().to_string(),
                     "boxes": barrier.boxes,
-                    "theorem": barrier.theorem.sentence(),
+                    "theorem": barrier.proof.theorem().sentence(),
                     "certificate": files.certificate.display().to_string(),
                 })
             }

@@ -57,9 +57,9 @@ fn carried_out(options: &BoundOptions, format: Format, control: &Control) -> Res
         Ok(enclosure) => enclosure,
         Err(error) => return undecided(&source.name, &error, format),
     };
-    let certificate = enclosure.certificate.write(&statement.ring());
-    let name = sealed_name("bounds", &certificate);
-    let written = write_and_check(&source, options.output.as_deref(), (&certificate, &name), control);
+    let certificate = enclosure.proof.text();
+    let name = sealed_name("bounds", certificate);
+    let written = write_and_check(&source, options.output.as_deref(), (certificate, &name), control);
     let files = match written {
         Ok(files) => files,
         Err(unchecked) => return unchecked.outcome(&source.name, format),
@@ -97,7 +97,7 @@ fn carried_out(options: &BoundOptions, format: Format, control: &Control) -> Res
     };
     text += &format!("\n{}\n\n", statement.title());
     text += &enclosure_details(statement, &enclosure, degree);
-    text += &checked_text(&enclosure.theorem, &files);
+    text += &checked_text(enclosure.proof.theorem(), &files);
     text += &picture;
     Ok(Outcome { text, status })
 }

@@ -109,12 +109,9 @@ pub(super) fn write(
     made: &Construction,
     control: &Control,
 ) -> Result<Vec<Files>, Unchecked> {
-    let ring = made.statement.ring();
-    let exact = made.exact.0.write(&ring);
-    let mut files = vec![write_pair(directory, &made.text, (&exact, "certificate.txt"), control)?];
-    if let Ok((certificate, _)) = &made.cover {
-        let cover = certificate.write(&ring);
-        files.push(write_pair(directory, &made.text, (&cover, "cover.txt"), control)?);
+    let mut files = vec![write_pair(directory, &made.text, (made.exact.text(), "certificate.txt"), control)?];
+    if let Ok(cover) = &made.cover {
+        files.push(write_pair(directory, &made.text, (cover.text(), "cover.txt"), control)?);
     }
     Ok(files)
 }

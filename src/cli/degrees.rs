@@ -10,12 +10,10 @@ use super::control::{Limits, under_control};
 use super::files::write_pair;
 use super::outcome::{Failure, Outcome, Status};
 use super::polygon::{PolygonOptions, Shape};
-use crate::certificate::Certificate;
-use crate::checker::{CheckError, check_read_within};
-use crate::construction::{
-    Cell, Phase, Refusal, classify, closing_certificate, closing_statement, construct,
-};
+use crate::checker::CheckError;
+use crate::construction::{Cell, Phase, Refusal, classify, closing_argument, closing_statement, construct};
 use crate::control::Control;
+use crate::proof::Proof;
 use crate::report::{Backing, degrees_data, degrees_text, explain};
 use crate::statement::Statement;
 
@@ -37,13 +35,10 @@ pub(super) struct DegreesOptions {
 }
 
 /// The statement that the phase closes, and its refutation, which the checker has accepted.
-fn closing(shape: &Shape, text: &str, control: &Control) -> Result<(Statement, Certificate), Refusal> {
+fn closing(shape: &Shape, text: &str, control: &Control) -> Result<Proof, Refusal> {
     let statement = Statement::read(text).map_err(CheckError::from)?;
-    let certificate = closing_certificate(&shape.polygon, &statement).map_err(Refusal::Limit)?;
-    let certificate = certificate.ok_or(Refusal::NoneFound)?;
-    check_read_within(&statement, &certificate, &mut control.work())
-        .map_err(|error| control.unless_stopped(Refusal::from(error)))?;
-    Ok((statement, certificate))
+    let argument = closing_argument(&shape.polygon).map_err(Refusal::Limit)?.ok_or(Refusal::NoneFound)?;
+    Ok(Proof::of(&statement, argument, control)?)
 }
 
 pub(super) fn run(options: &DegreesOptions, format: Format) -> Result<Outcome, Failure> {
@@ -69,11 +64,11 @@ fn carried_out(options: &DegreesOptions, format: Format, control: &Control) -> R
     if phase == Phase::Open {
         let title = format!("Closing condition of the quadrilateral {}", shape.name);
         let text = closing_statement(&shape.polygon, &title);
-        let (statement, certificate) = match closing(&shape, &text, control) {
+        let refutation = match closing(&shape, &text, control) {
             Ok(refutation) => refutation,
             Err(refusal) => return refused(&shape, (2, 2), refusal, format),
         };
-        let certificate = (&*certificate.write(&statement.ring()), "certificate.txt");
+        let certificate = (refutation.text(), "certificate.txt");
         backing.closing = match write_pair(&directory.join("closing"), &text, certificate, control) {
             Ok(files) => Some(files),
             Err(unchecked) => return unchecked.outcome(&shape.name, format),

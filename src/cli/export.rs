@@ -189,7 +189,7 @@ fn search(
     (format, control): (Format, &Control),
 ) -> Result<Result<Certificate, Outcome>, Failure> {
     let reason = match prove(&source.statement, control).map_err(Failure::of)? {
-        Attempt::Proved { certificate, .. } => return Ok(Ok(certificate)),
+        Attempt::Proved { proof, .. } => return Ok(Ok(proof.certificate().clone())),
         Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why))) => {
             return stopped(&source.name, format, &why).map(Err);
         }

@@ -42,9 +42,8 @@ fn carried_out(
         added = true;
     };
     let files = match &attempt {
-        Attempt::Proved { certificate, .. } => {
-            let text = certificate.write(&source.statement.ring());
-            match write_and_check(&source, directory, (&text, "certificate.txt"), control) {
+        Attempt::Proved { proof, .. } => {
+            match write_and_check(&source, directory, (proof.text(), "certificate.txt"), control) {
                 Ok(files) => Some(files),
                 Err(unchecked) => return unchecked.outcome(&source.name, format),
             }

@@ -9,6 +9,7 @@ use crate::certificate::Argument;
 use crate::checker::{CheckError, Claim, ExactNet, ExactRejection, Rejection};
 use crate::control::Control;
 use crate::elimination::{ChosenZero, Closure, System, Tried, choose};
+use crate::proof::NoProof;
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
 /// What was free where there are infinitely many zeros.
@@ -35,9 +36,9 @@ pub fn image_of(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Image {
 /// How good a certified zero is: a surface before a curve, a curve before a point, and all weights positive.
 fn rank(attempt: &Attempt) -> (Image, bool) {
     match attempt {
-        Attempt::Proved { theorem, .. } => match theorem.claim() {
+        Attempt::Proved { proof, .. } => match proof.theorem().claim() {
             Claim::Exact(ExactNet { net, weights_positive, .. }) => {
-                (image_of(theorem.statement(), net), *weights_positive)
+                (image_of(proof.theorem().statement(), net), *weights_positive)
             }
             _ => BEST,
         },
@@ -107,7 +108,9 @@ fn certified(
     let values = constants.map(|value| polynomial_to_exact(&value)).collect::<Result<_, _>>()?;
     match checked(statement, Argument::Exact(values), control) {
         Ok(attempt) => Ok(Some(attempt)),
-        Err(CheckError::Rejected(Rejection::Exact(ExactRejection::NoDenominator))) => Ok(None),
+        Err(NoProof::Refused(CheckError::Rejected(Rejection::Exact(ExactRejection::NoDenominator)))) => {
+            Ok(None)
+        }
         Err(refused) => Err(refused.into()),
     }
 }

@@ -49,11 +49,12 @@ pub fn describe(
             let _ = writeln!(text, "{}\n{surface}", statement.title());
             text += &reason_text(statement, reason)?;
         }
-        Attempt::Proved { certificate, theorem, freedom } => {
+        Attempt::Proved { proof, freedom } => {
+            let theorem = proof.theorem();
             let _ = writeln!(text, "{}\n", proved(name, source, theorem));
             let _ = writeln!(text, "{}\n", statement.title());
             let explained = match theorem.claim() {
-                Claim::Impossible(_) => refutation(statement, cap, certificate, control),
+                Claim::Impossible(_) => refutation(statement, cap, proof.certificate(), control),
                 _ => Ok(solution(statement, theorem, freedom)),
             };
             text += &match explained {
@@ -64,11 +65,11 @@ pub fn describe(
             };
         }
     }
-    if let (Attempt::Proved { theorem, .. }, Some(files)) = (attempt, files) {
+    if let (Attempt::Proved { proof, .. }, Some(files)) = (attempt, files) {
         let _ = writeln!(
             text,
             "Verdict of the independent checker, on the files below\n{}\n",
-            wrapped(&format!("VERIFIED. {}", theorem.sentence()))
+            wrapped(&format!("VERIFIED. {}", proof.theorem().sentence()))
         );
         let _ = writeln!(text, "Statement    {}", files.statement.display());
         let _ = writeln!(text, "Certificate  {}", files.certificate.display());

@@ -208,7 +208,7 @@ pub fn enclosure_data(
         "lower": { "bound": spell_decimal(&bounds.lower.bound, bounds.places), "near": point(&bounds.lower.at), "best": low_best },
         "upper": { "bound": spell_decimal(&bounds.upper.bound, bounds.places), "near": point(&bounds.upper.at), "best": high_best },
         "boxes": { "denominator": count(&bounds.denominator), "lower": count(&bounds.lower.tree), "upper": count(&bounds.upper.tree) },
-        "theorem": enclosure.theorem.sentence(),
+        "theorem": enclosure.proof.theorem().sentence(),
         "certificate": files.certificate.display().to_string(),
     });
     if let (Quantity::Ratio, Subject::Patch(patch)) = (bounds.quantity, statement.subject()) {

@@ -71,10 +71,10 @@ pub fn constructed_text(
     let (m, n) = (made.net.len() - 1, made.net[0].len() - 1);
     let mut text = String::new();
     let _ = match &made.cover {
-        Ok((_, theorem)) => writeln!(
+        Ok(proof) => writeln!(
             text,
             "EXACT  {name}: a patch of bidegree ({m},{n}) on the unit sphere covers the polygon{}\n",
-            how_covered(theorem)
+            how_covered(proof.theorem())
         ),
         Err(why) => writeln!(
             text,
@@ -102,7 +102,7 @@ pub fn constructed_text(
     text += &net_text(&numbers, &made.net, ["X", "Y", "Z", "W"], Clone::clone)?;
     text.push('\n');
     text += "Verdict of the independent checker, on the files below\n";
-    let theorem = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem);
+    let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
     let _ = writeln!(text, "{}\n", wrapped_at(&format!("VERIFIED. {}", theorem.sentence()), 3));
     for (number, files) in files.iter().enumerate() {
         if number == 0 {
@@ -207,7 +207,7 @@ pub fn constructed_data(name: &str, made: &Construction, files: &[Files]) -> Val
         Subject::Patch(patch) => Some(super::json::net(&made.statement, &patch.net)),
         Subject::System(_) => None,
     };
-    let theorem = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem);
+    let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
     json!({
         "verdict": "EXACT",
         "name": name,
@@ -239,7 +239,7 @@ pub fn tiled_text(name: &str, (m, n): (u32, u32), tiled: &Tiled, whole: bool, di
         .faces
         .iter()
         .filter_map(|face| face.cover.as_ref().ok())
-        .any(|(_, theorem)| degenerate(theorem));
+        .any(|proof| degenerate(proof.theorem()));
     let regularly = if points { "regularly but for an edge that is one corner" } else { "regularly" };
     format!(
         "{verdict}\n\n   \

@@ -73,7 +73,7 @@ pub fn degrees_text(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing
         );
     }
     for ((m, n), made, files) in &backing.nets {
-        let theorem = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem);
+        let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
         let last = files.last().map_or_else(String::new, |files| files.certificate.display().to_string());
         let _ = writeln!(
             text,

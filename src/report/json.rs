@@ -264,11 +264,12 @@ pub fn attempt(
     };
     match attempt {
         Attempt::Undecided(why) => data.reason = Some(reason(of, why)?),
-        Attempt::Proved { certificate, theorem, freedom } => {
+        Attempt::Proved { proof, freedom } => {
+            let theorem = proof.theorem();
             data.verdict = if matches!(theorem.claim(), Claim::Impossible(_)) { "PROVED" } else { "EXACT" };
             data.claim = Some(theorem.kind());
             data.theorem = Some(theorem.sentence());
-            if let Argument::Impossible(steps) = &certificate.argument {
+            if let Argument::Impossible(steps) = &proof.certificate().argument {
                 data.steps = Some(steps.iter().map(|step| step_data(of, step)).collect());
             }
             solution(&mut data, theorem);

@@ -29,7 +29,7 @@ enum Answer {
 
 fn answer(statement: &Statement) -> Answer {
     match prove(statement, &Control::default()).unwrap() {
-        Attempt::Proved { theorem, .. } => match theorem.claim() {
+        Attempt::Proved { proof, .. } => match proof.theorem().claim() {
             Claim::Impossible(_) => Answer::Impossible,
             Claim::Solution(Solution { values }) => {
                 Answer::Solution(values.iter().map(|value| statement.ring().spell(value)).collect())
@@ -201,7 +201,8 @@ fn isolated_zeros_in_the_field_are_found() {
 fn of_two_nets_the_one_with_positive_weights_is_given() {
     let text = std::fs::read_to_string("tests/data/sessions/session.in/cylinder.toml").unwrap();
     let attempt = prove(&Statement::read(&text).unwrap(), &Control::default()).unwrap();
-    let Attempt::Proved { theorem, .. } = attempt else { panic!("{attempt:?}") };
+    let Attempt::Proved { proof, .. } = attempt else { panic!("{attempt:?}") };
+    let theorem = proof.theorem();
     let Claim::Exact(ExactNet { values, weights_positive: true, .. }) = theorem.claim() else {
         panic!("{theorem:?}")
     };

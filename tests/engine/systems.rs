@@ -42,7 +42,7 @@ impl System {
         let statement = Statement::read(&text).unwrap_or_else(|error| panic!("{error}"));
         match eliminate(&system_of(&statement, &Control::default()).unwrap(), &Control::default()).1 {
             Outcome::Unit(_) => match prove(&statement, &Control::default()).unwrap() {
-                Attempt::Proved { theorem, .. } if theorem.kind() == "impossible" => Answer::Impossible,
+                Attempt::Proved { proof, .. } if proof.theorem().kind() == "impossible" => Answer::Impossible,
                 other => panic!("{other:?}"),
             },
             Outcome::Open(Undecided::Consistent(closure)) => {
