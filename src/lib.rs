@@ -27,6 +27,7 @@ pub mod algebra;
 pub mod bezier;
 pub mod geometry;
 pub mod elimination;
+pub mod problem;
 pub mod catalogue;
 pub mod prove;
 pub mod approximation;

@@ -23,8 +23,8 @@ use crate::certificate::{Argument, Odds, Quantity, Region as Node, Side, Units, 
 use crate::checker::CheckError;
 use crate::control::{Control, Interrupted};
 use crate::exact::{self, Limit, Work};
+use crate::problem::field_of;
 use crate::proof::{NoProof, Proof};
-use crate::prove::field_of;
 use crate::statement::{Patch, Statement};
 
 /// What the first chart reaches.

@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use super::arguments::{Format, to_json};
-use super::control::{Limits, under_control};
+use super::control::{Limits, stopped, under_control};
 use super::files::write_and_check;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
 use crate::control::Control;
-use crate::prove::{Attempt, Reason, prove};
+use crate::problem::Problem;
+use crate::prove::{Attempt, Reason, solve};
 use crate::report::{describe, json};
 
 pub(super) fn run(
@@ -32,12 +33,16 @@ fn carried_out(
     control: &Control,
 ) -> Result<Outcome, Failure> {
     let (mut source, mut added) = (source, false);
-    let attempt = loop {
-        let attempt = prove(&source.statement, control).map_err(Failure::of)?;
+    let (problem, attempt) = loop {
+        let problem = match Problem::of(&source.statement, control) {
+            Ok(problem) => problem,
+            Err(why) => return stopped(&source.name, format, &why),
+        };
+        let attempt = solve(&problem, control).map_err(Failure::of)?;
         match extension_of(&attempt).filter(|_| extend) {
             // Each time the field grows, and four radicands are the limit.
             Some(radicands) => source = source.with_radicands(radicands)?,
-            None => break attempt,
+            None => break (problem, attempt),
         }
         added = true;
     };
@@ -53,7 +58,7 @@ fn carried_out(
     let text = match format {
         Format::Text | Format::Latex => {
             let named = (source.name.as_str(), &*name_or_file.to_string_lossy());
-            let described = describe(named, &source.statement, source.cap, &attempt, files.as_ref(), control);
+            let described = describe(named, &problem, source.cap, &attempt, files.as_ref(), control);
             let mut text = described.map_err(Failure::of)?;
             if added {
                 text += &format!("Extended     radicands = {:?}\n", source.statement.field().values());
@@ -61,7 +66,7 @@ fn carried_out(
             text
         }
         Format::Json => {
-            let data = json::attempt(&source.name, &source.statement, &attempt, files.as_ref(), control)
+            let data = json::attempt(&source.name, &problem, &attempt, files.as_ref(), control)
                 .map_err(Failure::of)?;
             to_json(&data)?
         }

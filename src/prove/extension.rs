@@ -1,10 +1,10 @@
 //! A zero over a larger field Q(√p₁, …, √pₖ), where the field of the statement has none.
 
-use super::field_of;
 use crate::algebra::{FieldElement, MultiquadraticField, Univariate, polynomial_from_exact};
 use crate::control::{Control, Interrupted};
 use crate::elimination::{Closure, Eliminant, System, zeros_in_field};
 use crate::exact::limits;
+use crate::problem::field_of;
 use crate::statement::{Statement, Subject};
 
 /// Radicands that are tried for eliminants of degree 3 and more.

@@ -2,13 +2,14 @@
 
 use std::ops::ControlFlow;
 
-use super::{Attempt, Consistent, NoAnswer, Reason, checked, field_of, interrupted};
+use super::{Attempt, Consistent, NoAnswer, Reason, checked, interrupted};
 use crate::algebra::{FieldElement, Polynomial, polynomial_from_exact, polynomial_to_exact};
 use crate::bezier::{Image, image};
 use crate::certificate::Argument;
 use crate::checker::{CheckError, Claim, ExactNet, ExactRejection, Rejection};
 use crate::control::Control;
 use crate::elimination::{ChosenZero, Closure, System, Tried, choose};
+use crate::problem::field_of;
 use crate::proof::NoProof;
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 

@@ -12,8 +12,8 @@ use crate::checker::Claim;
 use crate::control::Control;
 use crate::exact::Limit;
 use crate::expand::ExpansionError;
+use crate::problem::Problem;
 use crate::prove::Attempt;
-use crate::statement::Statement;
 
 /// Characters of a formula on one line.
 pub(super) const LINE: usize = 110;
@@ -34,12 +34,13 @@ pub struct Files {
 /// Where a coefficient exceeds what the formats allow.
 pub fn describe(
     (name, source): (&str, &str),
-    statement: &Statement,
+    problem: &Problem,
     cap: bool,
     attempt: &Attempt,
     files: Option<&Files>,
     control: &Control,
 ) -> Result<String, Limit> {
+    let statement = problem.statement();
     let mut text = String::new();
     match attempt {
         Attempt::Undecided(reason) => {
@@ -54,7 +55,7 @@ pub fn describe(
             let _ = writeln!(text, "{}\n", proved(name, source, theorem));
             let _ = writeln!(text, "{}\n", statement.title());
             let explained = match theorem.claim() {
-                Claim::Impossible(_) => refutation(statement, cap, proof.certificate(), control),
+                Claim::Impossible(_) => refutation(problem, cap, proof.certificate(), control),
                 _ => Ok(solution(statement, theorem, freedom)),
             };
             text += &match explained {

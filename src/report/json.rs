@@ -11,7 +11,8 @@ use crate::checker::{Claim, ExactNet, Solution, Theorem};
 use crate::control::Control;
 use crate::elimination::{Closure, Undecided, VALUES};
 use crate::exact::{Limit, Polynomial};
-use crate::expand::{Basis, Coefficient, ExpansionError, coefficients, coefficients_within};
+use crate::expand::{Basis, Coefficient, ExpansionError, coefficients, coefficients_of};
+use crate::problem::Problem;
 use crate::prove::{Attempt, Consistent, Reason, image_of};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
@@ -216,12 +217,12 @@ fn listed(statement: &Statement, list: Vec<Coefficient>) -> Vec<CoefficientData>
 
 /// The same beside an attempt: none where there is no time left for them.
 fn expansion_within(
-    statement: &Statement,
+    problem: &Problem,
     basis: Basis,
     control: &Control,
 ) -> Result<Option<Vec<CoefficientData>>, Limit> {
-    match coefficients_within(statement, basis, control) {
-        Ok(list) => Ok(list.map(|list| listed(statement, list))),
+    match coefficients_of(problem, basis, control) {
+        Ok(list) => Ok(list.map(|list| listed(problem.statement(), list))),
         Err(ExpansionError::Interrupted(_)) => Ok(None),
         Err(ExpansionError::Limit(limit)) => Err(limit),
     }
@@ -233,12 +234,13 @@ fn expansion_within(
 /// Where a coefficient exceeds what the formats allow.
 pub fn attempt(
     name: &str,
-    of: &Statement,
+    problem: &Problem,
     attempt: &Attempt,
     files: Option<&Files>,
     control: &Control,
 ) -> Result<AttemptData, Limit> {
-    let of_basis = |basis| expansion_within(of, basis, control);
+    let of = problem.statement();
+    let of_basis = |basis| expansion_within(problem, basis, control);
     let (bernstein, monomial) = (of_basis(Basis::Bernstein)?, of_basis(Basis::Monomial)?);
     let mut data = AttemptData {
         verdict: "UNDECIDED",

@@ -8,7 +8,8 @@ use crate::algebra::{FieldElement, Monomial, Polynomial, Sign, polynomial_to_exa
 use crate::control::Interrupted;
 use crate::elimination::{Closure, Eliminant, Tried, Undecided, VALUES};
 use crate::exact::{Limit, Radicands};
-use crate::prove::{Consistent, Extension, Reason, field_of};
+use crate::problem::field_of;
+use crate::prove::{Consistent, Extension, Reason};
 use crate::statement::{Statement, Subject};
 
 /// Polynomials of a basis that are printed.

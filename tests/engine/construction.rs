@@ -37,7 +37,7 @@ fn rational(points: &[[i64; 4]]) -> Result<Polygon, PolygonError> {
 
 /// The net of a statement without unknowns.
 fn net_of(statement: &Statement) -> Vec<Vec<Point>> {
-    let field = prove_cap::prove::field_of(statement);
+    let field = prove_cap::problem::field_of(statement);
     let Subject::Patch(patch) = statement.subject() else { panic!("a patch") };
     let number = |entry: &Polynomial| polynomial_from_exact(field, entry).as_constant().unwrap();
     let row = |row: &Vec<[Polynomial; 4]>| row.iter().map(|point| point.each_ref().map(number)).collect();

@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use prove_cap::checker::{Claim, ExactNet, Solution};
 use prove_cap::control::{Control, Interrupted, Why};
 use prove_cap::elimination::{Closure, Outcome, Undecided, eliminate};
-use prove_cap::prove::{Attempt, Reason, prove, system_of};
+use prove_cap::problem::Problem;
+use prove_cap::prove::{Attempt, Reason, prove};
 use prove_cap::statement::Statement;
 
 fn system(radicands: &str, unknowns: &str, nonzero: &str, polynomials: &[&str]) -> Statement {
@@ -48,7 +49,7 @@ fn counted(closure: &Closure) -> Answer {
 
 /// What elimination says, before zeros in K are looked for.
 fn zeros(statement: &Statement) -> Answer {
-    match eliminate(&system_of(statement, &Control::default()).unwrap(), &Control::default()).1 {
+    match eliminate(&Problem::of(statement, &Control::default()).unwrap().system(), &Control::default()).1 {
         Outcome::Open(Undecided::Consistent(closure)) => counted(&closure),
         _ => Answer::Other,
     }

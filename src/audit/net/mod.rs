@@ -19,9 +19,9 @@ use crate::algebra::{FieldElement, Sign, polynomial_from_exact};
 use crate::certificate::Argument;
 use crate::control::{Control, Interrupted};
 use crate::exact::Polynomial;
-use crate::expand::{Basis, coefficients_within};
+use crate::expand::{Basis, coefficients_of};
+use crate::problem::{Problem, field_of};
 use crate::proof::{NoProof, Proof};
-use crate::prove::field_of;
 use crate::statement::Statement;
 
 /// `c[r,s]`: r, s, and the value.
@@ -125,7 +125,8 @@ fn size(statement: &Statement, value: &Polynomial) -> Option<FieldElement> {
 
 /// How many coefficients `c[r,s]` there are, and those that do not vanish.
 fn residual_of(statement: &Statement, control: &Control) -> Result<(usize, Vec<Coefficient>), AuditError> {
-    let all = coefficients_within(statement, Basis::Bernstein, control)?.unwrap_or_default();
+    let all =
+        coefficients_of(&Problem::of(statement, control)?, Basis::Bernstein, control)?.unwrap_or_default();
     let count = all.len();
     let residual = all.into_iter().filter(|c| !c.value.is_zero()).map(|c| (c.index.0, c.index.1, c.value));
     Ok((count, residual.collect()))
