@@ -32,8 +32,7 @@ pub struct Coefficient {
 /// Where a coefficient exceeds what the formats allow.
 pub fn coefficients(statement: &Statement, basis: Basis) -> Result<Option<Vec<Coefficient>>, Limit> {
     let control = Control::default();
-    let problem = Problem::of(statement, &control).expect("nobody stops it");
-    coefficients_of(&problem, basis, &control).map_err(|error| match error {
+    coefficients_of(&Problem::of(statement, &control), basis, &control).map_err(|error| match error {
         ExpansionError::Limit(limit) => limit,
         ExpansionError::Interrupted(_) => unreachable!("nobody stops it"),
     })
@@ -59,7 +58,7 @@ pub fn coefficients_of(
     basis: Basis,
     control: &Control,
 ) -> Result<Option<Vec<Coefficient>>, ExpansionError> {
-    let Some(form) = problem.condition() else {
+    let Some(form) = problem.condition()? else {
         return Ok(None);
     };
     let entries: Vec<_> = match basis {

@@ -11,7 +11,7 @@ use crate::statement::{Statement, Subject};
 #[derive(Debug, Clone)]
 pub struct Problem {
     statement: Statement,
-    condition: Option<BernsteinForm>,
+    condition: Result<Option<BernsteinForm>, Interrupted>,
 }
 
 /// The field a statement is made over, for computing.
@@ -22,14 +22,13 @@ pub fn field_of(statement: &Statement) -> MultiquadraticField {
 impl Problem {
     /// Expands the condition. Costs as many products of polynomials as the surface has factors, times (emn)².
     ///
-    /// # Errors
-    /// [`Control::check`]
-    pub fn of(statement: &Statement, control: &Control) -> Result<Self, Interrupted> {
+    /// Where that is stopped, all that needs the condition says so.
+    pub fn of(statement: &Statement, control: &Control) -> Self {
         let condition = match statement.subject() {
-            Subject::Patch(patch) => Some(surface_condition_within(field_of(statement), patch, control)?),
-            Subject::System(_) => None,
+            Subject::Patch(patch) => surface_condition_within(field_of(statement), patch, control).map(Some),
+            Subject::System(_) => Ok(None),
         };
-        Ok(Problem { statement: statement.clone(), condition })
+        Problem { statement: statement.clone(), condition }
     }
 
     /// The statement.
@@ -43,16 +42,20 @@ impl Problem {
     }
 
     /// The form whose coefficients must vanish for the patch to lie on the surface; `None` for a bare system.
-    pub fn condition(&self) -> Option<&BernsteinForm> {
-        self.condition.as_ref()
+    ///
+    /// # Errors
+    /// If its expansion was stopped.
+    pub fn condition(&self) -> Result<Option<&BernsteinForm>, Interrupted> {
+        self.condition.as_ref().map(Option::as_ref).map_err(Clone::clone)
     }
 
-    /// An equation of the statement by its name; `None` for a name it does not have, and for steps.
+    /// An equation of the statement by its name; `None` for a name it does not have, for steps, and where the expansion
+    /// was stopped.
     pub fn equation(&self, name: Premise) -> Option<Polynomial> {
         let index = |number: u32| usize::try_from(number).ok()?.checked_sub(1);
         match name {
             Premise::Coefficient(r, s) => {
-                let form = self.condition()?;
+                let form = self.condition.as_ref().ok()?.as_ref()?;
                 let (m, n) = form.bidegree();
                 (r <= m && s <= n).then(|| form.coefficient(r, s).clone())
             }
@@ -75,10 +78,13 @@ impl Problem {
     }
 
     /// The equations: the coefficients row by row, or those of the system, and the assumptions after them.
-    pub fn system(&self) -> System {
+    ///
+    /// # Errors
+    /// If the expansion of the condition was stopped.
+    pub fn system(&self) -> Result<System, Interrupted> {
         let equations: Vec<Premise> = match self.statement.subject() {
             Subject::Patch(_) => {
-                let all = self.condition().into_iter().flat_map(BernsteinForm::coefficients);
+                let all = self.condition()?.into_iter().flat_map(BernsteinForm::coefficients);
                 all.map(|(r, s, _)| Premise::Coefficient(r, s)).collect()
             }
             Subject::System(all) => (1..).zip(all).map(|(number, _)| Premise::Equation(number)).collect(),
@@ -87,6 +93,6 @@ impl Problem {
         let named = equations.into_iter().chain(assumptions);
         let system: Vec<_> = named.filter_map(|name| Some((name, self.equation(name)?))).collect();
         let variables = self.statement.unknowns().len() + self.statement.nonzero().len();
-        System::new(self.field(), variables, system)
+        Ok(System::new(self.field(), variables, system))
     }
 }

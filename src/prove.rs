@@ -109,10 +109,7 @@ impl From<NoProof> for NoAnswer {
 /// # Errors
 /// [`ProveError`] where the checker disagrees. What exceeds its limits is undecided.
 pub fn prove(statement: &Statement, control: &Control) -> Result<Attempt, ProveError> {
-    match Problem::of(statement, control) {
-        Ok(problem) => solve(&problem, control),
-        Err(why) => Ok(interrupted(why)),
-    }
+    solve(&Problem::of(statement, control), control)
 }
 
 /// The same for a problem whose condition is expanded already.
@@ -144,7 +141,7 @@ fn interrupted(why: Interrupted) -> Attempt {
 
 fn search(problem: &Problem, control: &Control) -> Result<Attempt, NoAnswer> {
     control.check()?;
-    let (statement, system) = (problem.statement(), problem.system());
+    let (statement, system) = (problem.statement(), problem.system()?);
     let (derivation, outcome) = eliminate(&system, control);
     match outcome {
         Outcome::Unit(unit) => {

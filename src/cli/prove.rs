@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::arguments::{Format, to_json};
-use super::control::{Limits, stopped, under_control};
+use super::control::{Limits, under_control};
 use super::files::write_and_check;
 use super::outcome::{Failure, Outcome, Status};
 use super::source::Source;
@@ -34,10 +34,7 @@ fn carried_out(
 ) -> Result<Outcome, Failure> {
     let (mut source, mut added) = (source, false);
     let (problem, attempt) = loop {
-        let problem = match Problem::of(&source.statement, control) {
-            Ok(problem) => problem,
-            Err(why) => return stopped(&source.name, format, &why),
-        };
+        let problem = Problem::of(&source.statement, control);
         let attempt = solve(&problem, control).map_err(Failure::of)?;
         match extension_of(&attempt).filter(|_| extend) {
             // Each time the field grows, and four radicands are the limit.

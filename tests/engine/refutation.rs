@@ -49,7 +49,7 @@ fn counted(closure: &Closure) -> Answer {
 
 /// What elimination says, before zeros in K are looked for.
 fn zeros(statement: &Statement) -> Answer {
-    match eliminate(&Problem::of(statement, &Control::default()).unwrap().system(), &Control::default()).1 {
+    match eliminate(&Problem::of(statement, &Control::default()).system().unwrap(), &Control::default()).1 {
         Outcome::Open(Undecided::Consistent(closure)) => counted(&closure),
         _ => Answer::Other,
     }

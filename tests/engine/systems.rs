@@ -41,7 +41,7 @@ impl System {
             self.polynomials
         );
         let statement = Statement::read(&text).unwrap_or_else(|error| panic!("{error}"));
-        match eliminate(&Problem::of(&statement, &Control::default()).unwrap().system(), &Control::default())
+        match eliminate(&Problem::of(&statement, &Control::default()).system().unwrap(), &Control::default())
             .1
         {
             Outcome::Unit(_) => match prove(&statement, &Control::default()).unwrap() {
