@@ -57,6 +57,8 @@ pub enum Reason {
 pub struct Consistent {
     /// What the equations are equivalent to.
     pub closure: Closure,
+    /// How many zeros in K were found that make the denominator W vanish identically: they are no patches.
+    pub without_patch: usize,
     /// Where there are infinitely many zeros, the values that were tried.
     pub tried: Option<Tried>,
     /// A larger field in which there is a zero.
@@ -168,7 +170,8 @@ fn search(problem: &Problem, control: &Control) -> Result<Attempt, NoAnswer> {
                     break;
                 }
             }
-            Ok(best.take()?.unwrap_or_else(|| undecided(statement, &system, closure, None, control)))
+            let none = (closure, best.without_patch);
+            Ok(best.take()?.unwrap_or_else(|| undecided(statement, &system, none, None, control)))
         }
         Outcome::Open(undecided) => Ok(Attempt::Undecided(Reason::Elimination(undecided))),
     }

@@ -20,7 +20,7 @@ use super::progress::Progress;
 use crate::algebra::Integer;
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{Argument, Odds, Quantity, Region as Node, Side, Units, Unreachable, decimal_value};
-use crate::checker::CheckError;
+use crate::checker::{CheckError, Rejection, UnreachableRejection};
 use crate::control::{Control, Interrupted};
 use crate::exact::{self, Limit, Work};
 use crate::problem::field_of;
@@ -56,6 +56,14 @@ pub enum UnreachableError {
     /// A limit of the format.
     #[error("{0}")]
     Limit(#[from] Limit),
+    /// A box that was excluded in floating point.
+    #[error("chart {chart}: box {node} of the tree is excluded in floating point, but not exactly")]
+    Inexact {
+        /// The chart, from 1.
+        chart: usize,
+        /// The box, in preorder, from 1.
+        node: usize,
+    },
     /// The checker refused.
     #[error("the independent checker refused the argument: {0}")]
     Refused(CheckError),
@@ -66,6 +74,9 @@ impl From<NoProof> for UnreachableError {
         match why {
             NoProof::Interrupted(why) => UnreachableError::Interrupted(why),
             NoProof::Limit(limit) => UnreachableError::Limit(limit),
+            NoProof::Refused(CheckError::Rejected(Rejection::Unreachable(
+                UnreachableRejection::NotExcluded { chart, node },
+            ))) => UnreachableError::Inexact { chart, node },
             NoProof::Refused(error) => UnreachableError::Refused(error),
         }
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::Zero;
 
 use super::arguments::{Format, to_json};
 use super::bound::{degree_of, undecided};
@@ -22,17 +22,19 @@ use crate::approximation::{
 use crate::certificate::Quantity;
 use crate::control::{Control, Interrupted};
 use crate::proof::Proof;
-use crate::report::Files;
 use crate::report::bounds::{
     Gap, barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, error_value, symbol,
 };
 use crate::report::rounding::{Towards, rounded};
 use crate::report::stopped::{best_so_far_data, best_so_far_text, decimals_data, stopped_by};
+use crate::report::{Files, surface_equation};
 
 /// How near to the best the proof that nothing is better must come.
 const WITHIN: f64 = 1e-6;
 /// Places of the bounds that no values reach: relative to the error, this many digits.
 const DIGITS: u32 = 9;
+/// Decimal places of an error, at most.
+const PLACES: f64 = 80.0;
 
 #[derive(Debug, Args)]
 pub(super) struct ApproximateOptions {
@@ -112,12 +114,14 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
     };
     let found = controlled(&options.limits, |control| {
         let found = approximate(&source.statement, &search, control)?;
-        let barrier = options.prove_best.then(|| barrier(&source, &found, control));
+        // Nothing is less than 0.
+        let wanted = options.prove_best && !reached(&found).is_zero();
+        let barrier = wanted.then(|| barrier(&source, &found, control));
         Ok::<_, ApproximationError>((found, barrier))
     })?;
     let (found, barrier) = match found {
         Ok(found) => found,
-        Err(ApproximationError::Enclosure(error)) => return undecided(&source.name, &error, format),
+        Err(ApproximationError::Enclosure(error)) => return undecided(&source, &error, format),
         Err(ApproximationError::Interrupted(why, best)) => {
             return stopped(&source, why, best.as_deref(), format);
         }
@@ -204,9 +208,11 @@ impl ApproximateOptions {
 /// Bounds a millionth tighter than what was found, which no values reach.
 fn barrier(source: &Source, found: &Approximation, control: &Control) -> Result<Barrier, UnreachableError> {
     let error = found.extremes.iter().map(|place| place.value.abs()).fold(0.0, f64::max);
-    let places = (-error.log10()).ceil().max(0.0) as u32 + DIGITS;
+    // What is far below the last digit of a double is not told apart from 0 here.
+    let places = (-error.max(f64::MIN_POSITIVE).log10()).ceil().clamp(0.0, PLACES) as u32 + DIGITS;
     let unit = BigInt::from(10).pow(places);
-    let size = BigInt::from((error * (1.0 - WITHIN) * unit.to_f64().unwrap_or(f64::INFINITY)) as i128);
+    let size = BigRational::from_float(error * (1.0 - WITHIN)).unwrap_or_else(BigRational::zero);
+    let size = (size * &unit).to_integer();
     let centre = match found.enclosure.bounds.quantity {
         Quantity::Radius => unit,
         Quantity::Ratio => BigInt::ZERO,
@@ -257,12 +263,13 @@ impl Answer<'_> {
                 rounded(&reached(&self.found), 4, Towards::Above)
             ),
         };
-        text += &format!("{}\n", statement.title());
+        text += &format!("{}\nSurface: {}\n", statement.title(), surface_equation(statement));
         text += &match &self.barrier {
             Some((_, barrier)) => {
                 let within = rounded(&gap(&self.found, barrier).relative(), 1, Towards::Above);
                 format!("{goal}, proved up to {within} of it\n")
             }
+            None if self.proved_zero() => format!("{goal}: it is 0, and nothing is less\n"),
             None => format!("best found for: {goal}; found by search, not proved best\n"),
         };
         text += &format!("at {}\n\n", self.taken());
@@ -278,8 +285,16 @@ impl Answer<'_> {
         text
     }
 
+    /// Whether the largest deviation is what is to be small, and it is proved to be 0.
+    fn proved_zero(&self) -> bool {
+        self.options.objective == ObjectiveName::Minimax && reached(&self.found).is_zero()
+    }
+
     /// Which values were taken.
     fn taken(&self) -> String {
+        if self.found.recognised && self.proved_zero() {
+            return "exact values recognised near those found".to_owned();
+        }
         if self.found.recognised {
             return "exact values recognised near those found; that they are the best is a guess, the bounds are proved"
                 .to_owned();
@@ -313,6 +328,9 @@ impl Answer<'_> {
                     "certificate": files.certificate.display().to_string(),
                 })
             }
+            None if self.proved_zero() => serde_json::json!({
+                "proved": true, "none_better_than": "0", "within": "0",
+            }),
             None => serde_json::json!({ "proved": false, "how": "best found by search" }),
         };
         if let Some(why) = &self.open {

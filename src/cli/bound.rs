@@ -55,7 +55,7 @@ fn carried_out(options: &BoundOptions, format: Format, control: &Control) -> Res
     let values = values(statement, &options.set)?;
     let enclosure = match enclose(statement, &values, options.tolerance, control) {
         Ok(enclosure) => enclosure,
-        Err(error) => return undecided(&source.name, &error, format),
+        Err(error) => return undecided(&source, &error, format),
     };
     let certificate = enclosure.proof.text();
     let name = sealed_name("bounds", certificate);
@@ -111,7 +111,8 @@ pub(super) fn degree_of(statement: &Statement) -> Result<u32, Failure> {
 }
 
 /// What a search that ended without an enclosure comes to.
-pub(super) fn undecided(name: &str, error: &EnclosureError, format: Format) -> Result<Outcome, Failure> {
+pub(super) fn undecided(source: &Source, error: &EnclosureError, format: Format) -> Result<Outcome, Failure> {
+    let name = &source.name;
     match error {
         EnclosureError::Interrupted(_)
         | EnclosureError::TooFine(_)
@@ -128,7 +129,9 @@ pub(super) fn undecided(name: &str, error: &EnclosureError, format: Format) -> R
                         "verdict": "UNDECIDED", "name": name, "reason": error.to_string(), "stopped": stopped,
                     }))?
                 }
-                _ => format!("UNDECIDED  {name}: {error}\n"),
+                _ => {
+                    format!("UNDECIDED  {name}: {error}\nSurface: {}\n", surface_equation(&source.statement))
+                }
             };
             Ok(Outcome { text, status: Status::Undecided })
         }

@@ -54,6 +54,8 @@ const BEST: (Image, bool) = (Image::Surface, true);
 pub(super) struct Best {
     found: Option<((Image, bool), Attempt)>,
     failure: Option<NoAnswer>,
+    /// How many zeros make the denominator vanish identically.
+    pub(super) without_patch: usize,
 }
 
 impl Best {
@@ -76,7 +78,10 @@ impl Best {
                 }
                 if rank == BEST { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             }
-            Ok(None) => ControlFlow::Continue(()),
+            Ok(None) => {
+                self.without_patch += 1;
+                ControlFlow::Continue(())
+            }
             // Another zero may be shorter.
             Err(limit @ NoAnswer::Limit(_)) => {
                 self.failure = self.failure.take().or(Some(limit));
@@ -139,11 +144,12 @@ pub(super) fn one_of_many(
         let freedom = freedom(&zero);
         best.consider(statement, zero.zero, &freedom, control)
     });
+    let without_patch = best.without_patch;
     // What was certified before an interruption stays certified.
     match (best.take()?, tried) {
         (Some(attempt), _) => Ok(attempt),
         (None, Err(why)) => Ok(interrupted(why)),
-        (None, Ok(tried)) => Ok(undecided(statement, system, closure, Some(tried), control)),
+        (None, Ok(tried)) => Ok(undecided(statement, system, (closure, without_patch), Some(tried), control)),
     }
 }
 
@@ -165,14 +171,18 @@ fn weights_first(statement: &Statement) -> Vec<u16> {
 pub(super) fn undecided(
     statement: &Statement,
     system: &System,
-    mut closure: Closure,
+    (mut closure, without_patch): (Closure, usize),
     tried: Option<Tried>,
     control: &Control,
 ) -> Attempt {
     let isolated = tried.as_ref().and_then(|tried| tried.isolated.as_ref());
-    let (of, its_closure) = isolated.map_or((system, &closure), |(system, closure)| (system, closure));
+    let (of, its_closure) = isolated.map_or((system, &closure), |found| (&found.system, &found.closure));
     // Optional: that it was interrupted takes nothing from what is known.
-    let extension = super::extension::find(statement, of, its_closure, control).ok().flatten();
+    let mut extension = super::extension::find(statement, of, its_closure, control).ok().flatten();
+    if let (Some(extension), Some(isolated)) = (&mut extension, isolated) {
+        let chosen = isolated.chosen.iter().map(|(unknown, value)| (usize::from(*unknown), value.clone()));
+        extension.chosen = chosen.collect();
+    }
     closure.count_real_roots(control);
-    Attempt::Undecided(Reason::Consistent(Box::new(Consistent { closure, tried, extension })))
+    Attempt::Undecided(Reason::Consistent(Box::new(Consistent { closure, without_patch, tried, extension })))
 }

@@ -145,6 +145,9 @@ enum ReasonData {
         verified: bool,
         basis: Vec<String>,
         eliminants: Vec<EliminantData>,
+        /// Zeros in K that make the denominator W vanish identically.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        zeros_without_patch: Option<usize>,
         /// Where there are infinitely many zeros: for which unknowns values were tried, and how many choices.
         #[serde(skip_serializing_if = "Option::is_none")]
         tried: Option<TriedData>,
@@ -337,7 +340,7 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
             ReasonData::Interrupted { why: stopped.to_string(), reached: stopped.reached.clone() }
         }
         Reason::Consistent(consistent) => {
-            let Consistent { closure, tried, extension } = consistent.as_ref();
+            let Consistent { closure, without_patch, tried, extension } = consistent.as_ref();
             let tried = tried.as_ref().map(|tried| {
                 let name = |&k: &u16| statement.unknowns().get(usize::from(k)).cloned();
                 TriedData {
@@ -347,10 +350,10 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
                 }
             });
             let radicands = extension.as_ref().map(|extension| extension.radicands.clone());
-            consistent_data(statement, closure, tried, radicands)?
+            consistent_data(statement, (closure, *without_patch), tried, radicands)?
         }
         Reason::Elimination(Undecided::Consistent(closure)) => {
-            consistent_data(statement, closure, None, None)?
+            consistent_data(statement, (closure, 0), None, None)?
         }
     })
 }
@@ -361,7 +364,7 @@ fn fraction(above: i64, below: u32) -> String {
 
 fn consistent_data(
     statement: &Statement,
-    closure: &Closure,
+    (closure, without_patch): (&Closure, usize),
     tried: Option<TriedData>,
     exact_with_radicands: Option<Vec<u32>>,
 ) -> Result<ReasonData, Limit> {
@@ -386,6 +389,7 @@ fn consistent_data(
         verified: closure.verified,
         basis,
         eliminants,
+        zeros_without_patch: Some(without_patch).filter(|count| *count > 0),
         tried,
         exact_with_radicands,
     })
