@@ -9,11 +9,14 @@ use super::check::read_limited;
 use super::control::{Limits, under_control};
 use super::outcome::{Failure, Outcome, Status};
 use super::source::{JSON_BYTES, Source};
-use crate::audit::net::{Convention, NetAudit, PrintedNet, from_json, from_matlab};
+use crate::audit::net::NetAudit;
 use crate::audit::{Audit, AuditError, PAPER, Verdict};
 use crate::control::Control;
 use crate::exact::Ring;
-use crate::listing::{LISTING_BYTES, Listing, Notation, decode, in_statement_language, is_expansion, is_net};
+use crate::formats::listing::{
+    LISTING_BYTES, Listing, Notation, decode, in_statement_language, is_expansion, is_net,
+};
+use crate::formats::net::{Convention, PrintedNet, from_json, from_matlab};
 use crate::report::stopped::stopped_by;
 use crate::report::{audit_data, describe_audit, describe_net, latex, net_data};
 use crate::statement::COORDINATES;
@@ -240,7 +243,7 @@ fn read(file: &Path, options: &AuditOptions) -> Result<Printed, Failure> {
             return Ok(Printed::Listing(Box::new(listing), Some(Box::new(own))));
         }
         FileKind::Json => {
-            let net = from_json(text).map_err(|error| failure(options, &error))?;
+            let net = from_json(text).map_err(|error| failure(options, &error.into()))?;
             let convention = stated.unwrap_or(net.convention);
             return Ok(Printed::Net(PrintedNet { convention, ..net }));
         }
@@ -252,7 +255,8 @@ fn read(file: &Path, options: &AuditOptions) -> Result<Printed, Failure> {
                     file.display()
                 )));
             };
-            let net = from_matlab(text, &title, convention).map_err(|error| failure(options, &error))?;
+            let net =
+                from_matlab(text, &title, convention).map_err(|error| failure(options, &error.into()))?;
             return Ok(Printed::Net(net));
         }
     };
@@ -264,9 +268,10 @@ fn net_of(source: &Source, options: &AuditOptions, stated: Option<Convention>) -
     if stated.is_some() {
         return Err(Failure("a statement says itself which convention it follows".to_owned()));
     }
-    let convention = crate::listing::convention_word(&source.text).and_then(|word| Convention::read(&word));
+    let convention =
+        crate::formats::listing::convention_word(&source.text).and_then(|word| Convention::read(&word));
     let convention = convention.unwrap_or(Convention::Homogeneous);
     PrintedNet::from_statement(&source.statement, convention)
         .map(Printed::Net)
-        .map_err(|error| failure(options, &error))
+        .map_err(|error| failure(options, &error.into()))
 }

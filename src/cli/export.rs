@@ -15,7 +15,7 @@ use crate::checker::{CheckError, check_read_within};
 use crate::control::Control;
 use crate::elimination::Undecided;
 use crate::exact::limits;
-use crate::export::{Case, ExportError, Target, export, pac_files};
+use crate::formats::export::{Case, ExportError, Target, export, pac_files};
 use crate::prove::{Attempt, Reason, prove};
 
 #[derive(Debug, Args)]

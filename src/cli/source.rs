@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use super::check::read_limited;
 use super::outcome::Failure;
-use crate::audit::net::statement_from_json;
 use crate::catalogue;
 use crate::control::Control;
 use crate::exact::Work;
+use crate::formats::net::statement_from_json;
 use crate::statement::Statement;
 
 /// Bytes of a file that may be JSON: what is written for a statement may have its proof beside it.

@@ -2,7 +2,7 @@
 
 use super::outcome::Failure;
 use crate::exact::Polynomial;
-use crate::listing::read_constant;
+use crate::formats::listing::read_constant;
 use crate::statement::Statement;
 
 /// The decimal places that the checker's limits allow within reason.

@@ -12,7 +12,7 @@ use crate::audit::{
 };
 use crate::control::Interrupted;
 use crate::exact::Polynomial;
-use crate::listing::Listing;
+use crate::formats::listing::Listing;
 use crate::statement::Statement;
 
 /// What a referee wants to read: the verdict, the table, each difference, each claim.

@@ -8,7 +8,7 @@ use super::mathematics::Notation;
 use super::stopped::stopped_by;
 use crate::audit::{Audit, Change, Correction, Finding, Judgement, Relation, Target};
 use crate::exact::{Polynomial, Ring};
-use crate::listing::Listing;
+use crate::formats::listing::Listing;
 use crate::statement::Statement;
 
 /// An audit.

@@ -13,7 +13,7 @@ use super::audit::{correction_text, headline, judgement_word, relation_phrase, s
 use super::mathematics::{Notation, collected};
 use crate::audit::{Audit, Finding, Phrase, Piece, Target};
 use crate::exact::{Polynomial, Ring};
-use crate::listing::Listing;
+use crate::formats::listing::Listing;
 use crate::statement::{Statement, Subject};
 
 /// Power products on one line of a display.

@@ -263,7 +263,9 @@ fn a_flat_square_that_touches_the_sphere_is_bounded() {
         assert_eq!(high, format!("3.{}", "0".repeat(places as usize)));
     }
     // However long the coordinates of the contact are.
-    for (low, high) in [("-0.987131", "1.013313"), ("-1.2345678", "2.567"), ("-1/10^15", "1"), ("-10^9", "1/3")] {
+    for (low, high) in
+        [("-0.987131", "1.013313"), ("-1.2345678", "2.567"), ("-1/10^15", "1"), ("-10^9", "1/3")]
+    {
         let enclosure = enclosed(&square(low, high), &[], 12);
         assert_eq!(spelled(&enclosure.bounds)[0], "0.999999999999", "{low} {high}");
         let strip = square(low, high);
