@@ -35,8 +35,9 @@ pub mod listing;
 pub mod audit;
 #[cfg(feature = "figures")]
 pub mod figure;
-pub mod report;
 pub mod export;
+pub mod commands;
+pub mod report;
 
 #[cfg(feature = "cli")]
 pub mod cli;

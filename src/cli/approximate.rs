@@ -11,7 +11,7 @@ use super::arguments::{Format, to_json};
 use super::bound::{degree_of, undecided};
 use super::control::{Limits, controlled};
 use super::files::{Unchecked, sealed_name, write_and_check};
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
 use super::plot::PlotOptions;
 use super::source::Source;
 use super::values::{point, tolerance};
@@ -20,6 +20,7 @@ use crate::approximation::{
     error_of, exclude,
 };
 use crate::certificate::Quantity;
+use crate::commands::Verdict;
 use crate::control::{Control, Interrupted};
 use crate::report::Files;
 use crate::report::bounds::{
@@ -149,13 +150,12 @@ pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcom
     let picture = options.plot.draw(&source, degree, &found.enclosure, Some(&about), &Control::default())?;
     let barrier =
         barrier.map(|barrier| Ok((write("unreachable", &barrier.certificate)?, barrier))).transpose()?;
-    let status = if open.is_some() { Status::Undecided } else { Status::Established };
     let answer = Answer { source: &source, options, degree, found, files, barrier, open, picture };
     let text = match format {
         Format::Json => to_json(&answer.data())?,
         Format::Text | Format::Latex => answer.text(),
     };
-    Ok(Outcome { text, status })
+    Ok(Outcome { text, verdict: answer.verdict() })
 }
 
 /// The search was stopped before anything was proved: what it had.
@@ -179,7 +179,7 @@ fn stopped(
             format!("UNDECIDED  {name}: {why}\n{}", best.unwrap_or_default())
         }
     };
-    Ok(Outcome { text, status: Status::Undecided })
+    Ok(Outcome { text, verdict: Verdict::Undecided })
 }
 
 impl ApproximateOptions {
@@ -240,8 +240,8 @@ struct Answer<'a> {
 }
 
 impl Answer<'_> {
-    fn word(&self) -> &'static str {
-        if self.open.is_some() { "UNDECIDED" } else { "PROVED" }
+    fn verdict(&self) -> Verdict {
+        if self.open.is_some() { Verdict::Undecided } else { Verdict::Enclosed }
     }
 
     fn text(&self) -> String {
@@ -249,7 +249,7 @@ impl Answer<'_> {
         let goal = self.options.goal(&symbol(enclosure.bounds.quantity, self.degree));
         let bounds = enclosure_text(&enclosure.bounds, self.degree);
         let mut text = match &self.open {
-            None => format!("{}  {}: {bounds} on the whole patch\n\n", self.word(), self.source.name),
+            None => format!("{}  {}: {bounds} on the whole patch\n\n", self.verdict(), self.source.name),
             Some(why) => format!(
                 "UNDECIDED  {}: that no values do better than {} is not proved: {why}\n\n\
                  Proved: {bounds} on the whole patch\n",
@@ -294,7 +294,7 @@ impl Answer<'_> {
     }
 
     fn data(&self) -> serde_json::Value {
-        let about = (self.word(), self.source.name.as_str());
+        let about = (self.verdict(), self.source.name.as_str());
         let statement = &self.source.statement;
         let mut data = enclosure_data(about, statement, &self.found.enclosure, &self.files);
         data["objective"] =

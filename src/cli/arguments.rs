@@ -12,9 +12,12 @@ use super::construct::{self, ConstructOptions};
 use super::control::Limits;
 use super::degrees::{self, DegreesOptions};
 use super::export::{self, ExportOptions};
-use super::outcome::{Failure, Outcome, Status};
+use prove_cap_kernel::outcome::Status;
+
+use super::outcome::{Failure, Outcome};
 use super::table::{self, TableOptions};
 use super::{check, expand, list, prove};
+use crate::commands::Verdict;
 use crate::expand::Basis;
 
 /// The statement that is proved when nothing else is asked for: the paper's theorem.
@@ -28,7 +31,7 @@ const DEFAULT: &str = "cap-2x2";
 #[derive(Debug, Parser)]
 #[command(version, max_term_width = 110, args_conflicts_with_subcommands = true)]
 #[command(
-    after_help = "Exit status and first word: 0 VERIFIED, PROVED, EXACT, AGREES; 1 REJECTED, DIFFERS; 2 ERROR; 3 UNDECIDED."
+    after_help = Verdict::summary()
 )]
 struct CommandLine {
     #[command(subcommand)]
@@ -131,7 +134,7 @@ pub fn run() -> Result<Outcome, Failure> {
     let (format, outcome) = match CommandLine::try_parse() {
         Ok(line) => (line.format, carried_out(line)),
         // --help and --version arrive as errors that go to stdout.
-        Err(error) if !error.use_stderr() => return Ok(Outcome::plain(error.render().to_string())),
+        Err(error) if !error.use_stderr() => return Ok(Outcome::shown(error.render().to_string())),
         Err(error) => {
             let message = error.render().to_string();
             (
@@ -143,7 +146,7 @@ pub fn run() -> Result<Outcome, Failure> {
     match (format, outcome) {
         (Format::Json, Err(Failure(message))) => {
             let data = serde_json::json!({ "verdict": "ERROR", "reason": message.trim_end() });
-            Ok(Outcome { text: to_json(&data)?, status: Status::Failed })
+            Ok(Outcome { text: to_json(&data)?, verdict: Verdict::Failed })
         }
         (_, outcome) => outcome,
     }
@@ -170,15 +173,23 @@ fn carried_out(line: CommandLine) -> Result<Outcome, Failure> {
         None => prove(None, line.options),
         Some(Command::Prove { source, options }) => prove(source, options),
         Some(Command::Check { statement, certificate }) => match format {
-            Format::Text | Format::Latex => check::check(&statement, &certificate),
+            Format::Text | Format::Latex => {
+                let checked = check::check(&statement, &certificate)?;
+                let verdict = match checked.status {
+                    Status::Established => Verdict::Verified,
+                    Status::Wrong => Verdict::Rejected,
+                    Status::Failed => Verdict::Failed,
+                };
+                Ok(Outcome { text: checked.text, verdict })
+            }
             Format::Json => check_as_data(&statement, &certificate),
         },
         Some(Command::Canonical { statement }) => {
             let canonical = check::canonical(&statement)?;
             match format {
-                Format::Text | Format::Latex => Ok(canonical),
+                Format::Text | Format::Latex => Ok(Outcome::shown(canonical.text)),
                 Format::Json => {
-                    to_json(&serde_json::json!({ "canonical": canonical.text })).map(Outcome::plain)
+                    to_json(&serde_json::json!({ "canonical": canonical.text })).map(Outcome::shown)
                 }
             }
         }
@@ -201,7 +212,7 @@ fn carried_out(line: CommandLine) -> Result<Outcome, Failure> {
 }
 
 fn check_as_data(statement: &std::path::Path, certificate: &std::path::Path) -> Result<Outcome, Failure> {
-    let (data, status) = match check::examine(statement, certificate)? {
+    let (data, verdict) = match check::examine(statement, certificate)? {
         Ok(theorem) => (
             serde_json::json!({
                 "verdict": "VERIFIED",
@@ -209,9 +220,11 @@ fn check_as_data(statement: &std::path::Path, certificate: &std::path::Path) -> 
                 "theorem": theorem.sentence(),
                 "statement": crate::report::json::statement(theorem.statement()),
             }),
-            Status::Established,
+            Verdict::Verified,
         ),
-        Err(rejection) => (serde_json::json!({ "verdict": "REJECTED", "reason": rejection }), Status::Wrong),
+        Err(rejection) => {
+            (serde_json::json!({ "verdict": "REJECTED", "reason": rejection }), Verdict::Rejected)
+        }
     };
-    Ok(Outcome { text: to_json(&data)?, status })
+    Ok(Outcome { text: to_json(&data)?, verdict })
 }

@@ -7,10 +7,11 @@ use clap::{Args, ValueEnum};
 use super::arguments::{Format, to_json};
 use super::check::read_limited;
 use super::control::{Limits, under_control};
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
 use super::source::{JSON_BYTES, Source};
 use crate::audit::net::{Convention, NetAudit, PrintedNet, from_json, from_matlab};
-use crate::audit::{Audit, AuditError, PAPER, Verdict};
+use crate::audit::{Audit, AuditError, PAPER};
+use crate::commands::Verdict;
 use crate::control::Control;
 use crate::exact::Ring;
 use crate::listing::{LISTING_BYTES, Listing, Notation, decode, in_statement_language, is_expansion, is_net};
@@ -111,7 +112,7 @@ fn stopped(options: &AuditOptions, error: AuditError, format: Format) -> Result<
         )?,
         Format::Text | Format::Latex => format!("UNDECIDED  {reason}\n"),
     };
-    Ok(Outcome { text, status: Status::Undecided })
+    Ok(Outcome { text, verdict: Verdict::Undecided })
 }
 
 fn failure(options: &AuditOptions, error: &AuditError) -> Failure {
@@ -161,7 +162,7 @@ fn audit_listing(
         Format::Json => to_json(&audit_data(&listing, &source.name, &source.statement, &audit))?,
         Format::Latex => latex::audit(&listing, &source.name, &source.statement, &audit),
     };
-    Ok(Outcome { text, status: status(audit.verdict()) })
+    Ok(Outcome { text, verdict: audit.verdict().into() })
 }
 
 fn audit_net(
@@ -189,15 +190,7 @@ fn audit_net(
         Format::Json => to_json(&net_data(&net, &audit))?,
         Format::Latex => return Err(Failure("--format latex is for listings of formulas".to_owned())),
     };
-    Ok(Outcome { text, status: if audit.agrees { Status::Established } else { Status::Wrong } })
-}
-
-fn status(verdict: Verdict) -> Status {
-    match verdict {
-        Verdict::Agrees => Status::Established,
-        Verdict::Differs => Status::Wrong,
-        Verdict::Undecided => Status::Undecided,
-    }
+    Ok(Outcome { text, verdict: if audit.agrees { Verdict::Agrees } else { Verdict::Differs } })
 }
 
 fn read(file: &Path, options: &AuditOptions) -> Result<Printed, Failure> {

@@ -7,11 +7,12 @@ use clap::Args;
 use super::arguments::{Format, to_json};
 use super::control::{Limits, under_control};
 use super::files::{sealed_name, write_and_check};
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
 use super::plot::PlotOptions;
 use super::source::Source;
 use super::values::{interval, tolerance, values};
 use crate::approximation::{EnclosureError, EndVerdict, Finding, enclose, judge};
+use crate::commands::Verdict;
 use crate::control::Control;
 use crate::report::bounds::{
     checked_text, enclosure_data, enclosure_details, enclosure_text, symbol, verdict_data, verdict_text,
@@ -69,37 +70,40 @@ fn carried_out(options: &BoundOptions, format: Format, control: &Control) -> Res
     let verdicts = verdicts.map_err(Failure::of)?;
     let fails = |verdict: &EndVerdict| matches!(verdict.finding, Finding::Fails { .. });
     let open = |verdict: &EndVerdict| matches!(verdict.finding, Finding::Open);
-    let (word, status) = match &verdicts {
-        None => ("PROVED", Status::Established),
-        Some(verdicts) if verdicts.iter().any(fails) => ("DIFFERS", Status::Wrong),
-        Some(verdicts) if verdicts.iter().any(open) => ("UNDECIDED", Status::Undecided),
-        Some(_) => ("AGREES", Status::Established),
+    let verdict = match &verdicts {
+        None => Verdict::Enclosed,
+        Some(verdicts) if verdicts.iter().any(fails) => Verdict::Differs,
+        Some(verdicts) if verdicts.iter().any(open) => Verdict::Undecided,
+        Some(_) => Verdict::Agrees,
     };
     if format == Format::Json {
-        let mut data = enclosure_data((word, &source.name), statement, &enclosure, &files);
+        let mut data = enclosure_data((verdict, &source.name), statement, &enclosure, &files);
         data["claim"] = verdicts.as_deref().map_or(serde_json::Value::Null, verdict_data);
-        return Ok(Outcome { text: to_json(&data)?, status });
+        return Ok(Outcome { text: to_json(&data)?, verdict });
     }
     let enclosed = enclosure_text(&enclosure.bounds, degree);
     let surface = format!("Surface: {}", surface_equation(statement));
     let mut text = match (&verdicts, &options.claim) {
         (Some(verdicts), Some([low, high])) => {
-            let holds = if word == "AGREES" { "holds" } else { "does not hold" };
-            let holds = if word == "UNDECIDED" { "is not decided" } else { holds };
+            let holds = match verdict {
+                Verdict::Agrees => "holds",
+                Verdict::Undecided => "is not decided",
+                _ => "does not hold",
+            };
             let symbol = symbol(enclosure.bounds.quantity, degree);
             format!(
-                "{word}  {}: the printed interval [{low}, {high}] {holds}\n{surface}\n\n{}\nProved: {enclosed} on the whole patch\n",
+                "{verdict}  {}: the printed interval [{low}, {high}] {holds}\n{surface}\n\n{}\nProved: {enclosed} on the whole patch\n",
                 source.name,
                 verdict_text(verdicts, &symbol)
             )
         }
-        _ => format!("{word}  {}: {enclosed} on the whole patch\n{surface}\n", source.name),
+        _ => format!("{verdict}  {}: {enclosed} on the whole patch\n{surface}\n", source.name),
     };
     text += &format!("\n{}\n\n", statement.title());
     text += &enclosure_details(statement, &enclosure, degree);
     text += &checked_text(&enclosure.theorem, &files);
     text += &picture;
-    Ok(Outcome { text, status })
+    Ok(Outcome { text, verdict })
 }
 
 /// e, the degree of the surface.
@@ -130,7 +134,7 @@ pub(super) fn undecided(name: &str, error: &EnclosureError, format: Format) -> R
                 }
                 _ => format!("UNDECIDED  {name}: {error}\n"),
             };
-            Ok(Outcome { text, status: Status::Undecided })
+            Ok(Outcome { text, verdict: Verdict::Undecided })
         }
         error => Err(Failure(format!("{name}: {error}"))),
     }

@@ -7,8 +7,9 @@ use clap::Args;
 use super::arguments::{Format, to_json};
 use super::control::{Limits, under_control};
 use super::files::{Unchecked, write_pair};
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
 use super::polygon::{PolygonOptions, Shape, number_of};
+use crate::commands::Verdict;
 use crate::construction::{Construction, Refusal, construct, tile};
 use crate::control::Control;
 use crate::exact::Radicands;
@@ -67,7 +68,7 @@ fn carried_out(options: &ConstructOptions, format: Format, control: &Control) ->
         Format::Json => to_json(&constructed_data(&shape.name, &made, &files))?,
         _ => constructed_text(&shape.name, &shape.polygon, &made, &files).map_err(Failure::of)?,
     };
-    Ok(Outcome { text, status: Status::Established })
+    Ok(Outcome { text, verdict: Verdict::Exact })
 }
 
 fn tiling(
@@ -96,7 +97,7 @@ fn tiling(
         Format::Json => to_json(&tiled_data(&shape.name, &tiled, whole))?,
         _ => tiled_text(&shape.name, bidegree, &tiled, whole, &directory),
     };
-    Ok(Outcome { text, status: if whole { Status::Established } else { Status::Undecided } })
+    Ok(Outcome { text, verdict: if whole { Verdict::Exact } else { Verdict::Undecided } })
 }
 
 fn default_directory(shape: &Shape, (m, n): (u32, u32)) -> PathBuf {
@@ -125,18 +126,18 @@ pub(super) fn refused(
     refusal: Refusal,
     format: Format,
 ) -> Result<Outcome, Failure> {
-    let (text, status) = match &refusal {
+    let (text, verdict) = match &refusal {
         Refusal::Impossible(cell) => {
-            (impossible_text(&shape.name, &shape.polygon, bidegree, *cell), Status::Established)
+            (impossible_text(&shape.name, &shape.polygon, bidegree, *cell), Verdict::Nonexistent)
         }
         Refusal::Interrupted(_) | Refusal::Limit(_) | Refusal::NoneFound => {
-            (format!("UNDECIDED  {}: {refusal}\n", shape.name), Status::Undecided)
+            (format!("UNDECIDED  {}: {refusal}\n", shape.name), Verdict::Undecided)
         }
         _ => return Err(Failure(format!("{}: {refusal}", shape.name))),
     };
     let text = match format {
         Format::Json => {
-            let (verdict, rest) = text.split_once("  ").unwrap_or((text.as_str(), ""));
+            let (_, rest) = text.split_once("  ").unwrap_or((text.as_str(), ""));
             let stopped = match &refusal {
                 Refusal::Interrupted(why) => Some(stopped_by(why.why)),
                 _ => None,
@@ -151,5 +152,5 @@ pub(super) fn refused(
         }
         _ => text,
     };
-    Ok(Outcome { text, status })
+    Ok(Outcome { text, verdict })
 }

@@ -8,7 +8,8 @@ use bytesize::ByteSize;
 use clap::Args;
 
 use super::arguments::{Format, to_json};
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
+use crate::commands::Verdict;
 use crate::control::{Control, Interrupted, Why};
 use crate::exact::Limit;
 use crate::report::stopped::stopped_by;
@@ -66,7 +67,7 @@ pub(super) fn stopped(name: &str, format: Format, why: &Interrupted) -> Result<O
         }))?,
         Format::Text | Format::Latex => format!("UNDECIDED  {name}: {why}\n"),
     };
-    Ok(Outcome { text, status: Status::Undecided })
+    Ok(Outcome { text, verdict: Verdict::Undecided })
 }
 
 /// Does work under such a control.

@@ -8,10 +8,11 @@ use super::arguments::{Format, to_json};
 use super::construct::{refused, write};
 use super::control::{Limits, under_control};
 use super::files::write_pair;
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
 use super::polygon::{PolygonOptions, Shape};
 use crate::certificate::Certificate;
 use crate::checker::{CheckError, check_read_within};
+use crate::commands::Verdict;
 use crate::construction::{
     Cell, Phase, Refusal, classify, closing_certificate, closing_statement, construct,
 };
@@ -60,7 +61,7 @@ fn carried_out(options: &DegreesOptions, format: Format, control: &Control) -> R
             }
             _ => text,
         };
-        return Ok(Outcome { text, status: Status::Established });
+        return Ok(Outcome { text, verdict: Verdict::Classified });
     }
     let directory =
         options.output.clone().unwrap_or_else(|| Path::new("proofs").join(format!("degrees-{}", shape.name)));
@@ -99,5 +100,5 @@ fn carried_out(options: &DegreesOptions, format: Format, control: &Control) -> R
         Format::Json => to_json(&degrees_data(&shape.name, &shape.polygon, options.up_to, &backing))?,
         _ => degrees_text(&shape.name, &shape.polygon, options.up_to, &backing),
     };
-    Ok(Outcome { text, status: Status::Established })
+    Ok(Outcome { text, verdict: Verdict::Classified })
 }

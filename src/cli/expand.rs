@@ -12,7 +12,7 @@ pub(super) fn run(name_or_file: &Path, basis: Basis, format: Format) -> Result<O
     let source = Source::find(name_or_file)?;
     match format {
         Format::Text | Format::Latex => {
-            describe_expansion(&source.statement, basis).map_err(Failure::of).map(Outcome::plain)
+            describe_expansion(&source.statement, basis).map_err(Failure::of).map(Outcome::shown)
         }
         Format::Json => {
             let data = serde_json::json!({
@@ -21,7 +21,7 @@ pub(super) fn run(name_or_file: &Path, basis: Basis, format: Format) -> Result<O
                 "basis": if basis == Basis::Bernstein { "bernstein" } else { "monomial" },
                 "coefficients": json::expansion(&source.statement, basis).map_err(Failure::of)?,
             });
-            to_json(&data).map(Outcome::plain)
+            to_json(&data).map(Outcome::shown)
         }
     }
 }

@@ -8,10 +8,11 @@ use super::arguments::{Format, to_json};
 use super::check::read_limited;
 use super::control::{Limits, stopped, under_control};
 use super::files::write_atomically;
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
 use super::source::Source;
 use crate::certificate::Certificate;
 use crate::checker::{CheckError, check_read_within};
+use crate::commands::Verdict;
 use crate::control::Control;
 use crate::elimination::Undecided;
 use crate::exact::limits;
@@ -106,19 +107,20 @@ fn carried_out(options: &ExportOptions, format: Format, control: &Control) -> Re
         Err(error) => return unfit(error),
     };
     let Some(target) = &options.output else {
-        return Ok(Outcome::plain(match format {
+        return Ok(Outcome::shown(match format {
             Format::Json => to_json(&serde_json::json!({ "name": source.name, "text": text }))?,
             _ => text,
         }));
     };
     write_atomically(target, text.as_bytes())?;
     let bytes = text.len();
-    Ok(Outcome::plain(match format {
+    let text = match format {
         Format::Json => to_json(&serde_json::json!({
             "verdict": "WRITTEN", "name": source.name, "file": target, "bytes": bytes,
         }))?,
         _ => format!("WRITTEN  {}: {bytes} bytes; the verdict is the other program's\n", target.display()),
-    }))
+    };
+    Ok(Outcome { text, verdict: Verdict::Written })
 }
 
 /// The three files of pacheck, beside each other.
@@ -135,7 +137,7 @@ fn write_pac(
         write_atomically(Path::new(&target), text.as_bytes())?;
         written.push((PathBuf::from(target), text.len()));
     }
-    Ok(Outcome::plain(match format {
+    let text = match format {
         Format::Json => {
             let (files, bytes): (Vec<_>, Vec<_>) = written.into_iter().unzip();
             to_json(
@@ -147,7 +149,8 @@ fn write_pac(
                 written.iter().map(|(file, bytes)| format!("WRITTEN  {}: {bytes} bytes\n", file.display()));
             lines.collect::<String>() + "The verdict is the other program's\n"
         }
-    }))
+    };
+    Ok(Outcome { text, verdict: Verdict::Written })
 }
 
 /// The certificate in a file, or what our checker has against it.
@@ -177,7 +180,7 @@ fn read(
                     file.display()
                 ),
             };
-            Ok(Err(Outcome { text, status: Status::Wrong }))
+            Ok(Err(Outcome { text, verdict: Verdict::Rejected }))
         }
         Err(error) => Err(Failure(format!("{}: {error}", file.display()))),
     }
@@ -203,5 +206,5 @@ fn search(
         }
         _ => format!("UNDECIDED  {}: {reason}\n", source.name),
     };
-    Ok(Err(Outcome { text, status: Status::Undecided }))
+    Ok(Err(Outcome { text, verdict: Verdict::Undecided }))
 }

@@ -8,8 +8,9 @@ use std::time::Duration;
 use super::arguments::{Format, to_json};
 use super::check::examine_within;
 use super::control::stopped;
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
 use super::source::Source;
+use crate::commands::Verdict;
 use crate::control::{Control, Interrupted};
 use crate::exact::Work;
 use crate::report::Files;
@@ -58,7 +59,7 @@ impl Unchecked {
                 "UNDECIDED  {name}: {reason}\n\nTo go on: prove-cap check {statement} {certificate}\n"
             ),
         };
-        Ok(Outcome { text, status: Status::Undecided })
+        Ok(Outcome { text, verdict: Verdict::Undecided })
     }
 }
 

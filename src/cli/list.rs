@@ -25,7 +25,7 @@ pub(super) fn run(format: Format) -> Result<Outcome, Failure> {
     }
     let _ = writeln!(text, "\nCaps of other degrees: {FAMILY}, M and N from 2.");
     match format {
-        Format::Text | Format::Latex => Ok(Outcome::plain(text)),
-        Format::Json => super::arguments::to_json(&data).map(Outcome::plain),
+        Format::Text | Format::Latex => Ok(Outcome::shown(text)),
+        Format::Json => super::arguments::to_json(&data).map(Outcome::shown),
     }
 }

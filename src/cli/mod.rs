@@ -1,7 +1,5 @@
 //! The command line: one file for each subcommand, and the only place that prints or exits.
 
-pub use prove_cap_kernel::outcome;
-
 use prove_cap_kernel::command as check;
 
 mod approximate;
@@ -15,6 +13,7 @@ mod expand;
 mod export;
 mod files;
 mod list;
+pub mod outcome;
 mod plot;
 mod polygon;
 mod prove;

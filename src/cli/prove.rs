@@ -5,8 +5,10 @@ use std::path::Path;
 use super::arguments::{Format, to_json};
 use super::control::{Limits, under_control};
 use super::files::write_and_check;
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
 use super::source::Source;
+use crate::checker::Claim;
+use crate::commands::Verdict;
 use crate::control::Control;
 use crate::prove::{Attempt, Reason, prove};
 use crate::report::{describe, json};
@@ -67,8 +69,14 @@ fn carried_out(
             to_json(&data)?
         }
     };
-    let status = if files.is_some() { Status::Established } else { Status::Undecided };
-    Ok(Outcome { text, status })
+    let verdict = match &attempt {
+        Attempt::Undecided(_) => Verdict::Undecided,
+        Attempt::Proved { theorem, .. } => match theorem.claim() {
+            Claim::Impossible(_) => Verdict::Impossible,
+            _ => Verdict::Exact,
+        },
+    };
+    Ok(Outcome { text, verdict })
 }
 
 /// The radicands with which an undecided statement is exact.

@@ -6,13 +6,14 @@ use num_traits::ToPrimitive;
 
 use super::arguments::{Format, to_json};
 use super::control::{Limits, controlled};
-use super::outcome::{Failure, Outcome, Status};
+use super::outcome::{Failure, Outcome};
 use super::source::Source;
 use super::values::values;
 use crate::approximation::{
     ApproximationError, BestSoFar, Enclosure, EnclosureError, FloatPatch, Objective, Search, approximate,
     enclose, error_of,
 };
+use crate::commands::Verdict;
 use crate::control::{Control, Interrupted};
 use crate::report::bounds::error_value;
 use crate::report::rounding::{Towards, rounded};
@@ -78,7 +79,7 @@ struct Unfinished {
 
 pub(super) fn run(options: &TableOptions, format: Format) -> Result<Outcome, Failure> {
     let (lines, unfinished) = controlled(&options.limits, rows)??;
-    let status = if unfinished.is_some() { Status::Undecided } else { Status::Established };
+    let verdict = if unfinished.is_some() { Verdict::Undecided } else { Verdict::Shown };
     let text = match format {
         Format::Json => to_json(&data(&lines, unfinished.as_ref())?)?,
         Format::Text | Format::Latex => {
@@ -91,7 +92,7 @@ pub(super) fn run(options: &TableOptions, format: Format) -> Result<Outcome, Fai
             }
         }
     };
-    Ok(Outcome { text, status })
+    Ok(Outcome { text, verdict })
 }
 
 /// The rows as far as they come.

@@ -14,6 +14,7 @@ use super::rounding::{Towards, rounded};
 use crate::approximation::{Barrier, Enclosure, EndVerdict, Finding};
 use crate::certificate::{Bounds, Quantity, decimal_value, spell_decimal};
 use crate::checker::Theorem;
+use crate::commands::Verdict;
 use crate::exact::{Limit, Polynomial, Work};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
@@ -178,7 +179,7 @@ fn with_true_minus(text: &str) -> String {
 
 /// An enclosure as data.
 pub fn enclosure_data(
-    (verdict, name): (&str, &str),
+    (verdict, name): (Verdict, &str),
     statement: &Statement,
     enclosure: &Enclosure,
     files: &Files,
