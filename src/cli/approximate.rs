@@ -3,36 +3,18 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
-use super::arguments::{Format, to_json};
-use super::bound::{degree_of, undecided};
-use super::control::{Limits, controlled};
-use super::files::{Unchecked, sealed_name, write_and_check};
-use super::outcome::{Failure, Outcome};
+use super::control::{Limits, under_control};
+use super::files::{sealed_name, write_and_check};
+use super::outcome::{Ended, Format, Outcome};
 use super::plot::PlotOptions;
-use super::source::Source;
+use super::source::find;
 use super::values::{point, tolerance};
-use crate::approximation::{
-    Approximation, ApproximationError, Barrier, BestSoFar, Objective, Search, UnreachableError, approximate,
-    error_of, exclude,
-};
-use crate::certificate::Quantity;
-use crate::commands::Verdict;
-use crate::control::{Control, Interrupted};
-use crate::report::Files;
-use crate::report::bounds::{
-    Gap, barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, error_value, symbol,
-};
-use crate::report::rounding::{Towards, rounded};
-use crate::report::stopped::{best_so_far_data, best_so_far_text, decimals_data, stopped_by};
-
-/// How near to the best the proof that nothing is better must come.
-const WITHIN: f64 = 1e-6;
-/// Places of the bounds that no values reach: relative to the error, this many digits.
-const DIGITS: u32 = 9;
+use crate::approximation::{Objective, Search};
+use crate::certificate::Certificate;
+use crate::commands::{self, Best, Failure, sensible};
+use crate::control::Control;
+use crate::report::pages::{Approximating, about};
 
 #[derive(Debug, Args)]
 pub(super) struct ApproximateOptions {
@@ -93,234 +75,35 @@ impl From<ObjectiveName> for Objective {
 }
 
 pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcome, Failure> {
-    let source = Source::find(&options.source)?;
-    let degree = degree_of(&source.statement)?;
-    let objective = Objective::from(options.objective);
-    if options.prove_best && objective != Objective::Minimax {
-        return Err(Failure("--prove-best is for --objective minimax".to_owned()));
-    }
-    let squares = objective == Objective::LeastSquares;
-    if !options.pass.is_empty() && !squares {
-        return Err(Failure("--pass is for --objective least-squares".to_owned()));
-    }
+    let name = options.source.to_string_lossy();
+    under_control(&options.limits, (&name, format), |control| carried_out(options, format, control))
+}
+
+fn carried_out(options: &ApproximateOptions, format: Format, control: &Control) -> Result<Outcome, Ended> {
     let search = Search {
-        objective,
+        objective: options.objective.into(),
         points: usize::from(options.points),
         pass: options.pass.clone(),
         places: options.tolerance,
         seed: options.seed,
     };
-    let found = controlled(&options.limits, |control| {
-        let found = approximate(&source.statement, &search, control)?;
-        let barrier = options.prove_best.then(|| barrier(&source, &found, control));
-        Ok::<_, ApproximationError>((found, barrier))
-    })?;
-    let (found, barrier) = match found {
-        Ok(found) => found,
-        Err(ApproximationError::Enclosure(error)) => return undecided(&source.name, &error, format),
-        Err(ApproximationError::Interrupted(why, best)) => {
-            return stopped(&source, why, best.as_deref(), format);
-        }
-        Err(error) => return Err(Failure(format!("{}: {error}", source.name))),
-    };
-    let (barrier, open) = match barrier {
-        None => (None, None),
-        Some(Ok(barrier)) => (Some(barrier), None),
-        Some(Err(UnreachableError::Refused(error))) => return Err(Failure::of(error)),
-        Some(Err(error)) => (None, Some(error)),
-    };
-    let write = |kind: &str, certificate: &crate::certificate::Certificate| {
+    let source = find(&options.source, control)?;
+    commands::degree_of(&source.statement)?;
+    sensible(&search, options.prove_best)?;
+    let approximated = &commands::approximate(source, search, options.prove_best, control)?;
+    // What was found is written and checked even where the time is over.
+    let (source, unhurried) = (&approximated.source, &Control::default());
+    let write = |kind: &str, certificate: &Certificate| {
         let text = certificate.write(&source.statement.ring());
         let name = sealed_name(kind, &text);
-        match write_and_check(&source, options.output.as_deref(), (&text, &name), &Control::default()) {
-            Ok(files) => Ok(files),
-            Err(Unchecked::Failure(failure)) => Err(failure),
-            Err(Unchecked::Stopped(why, _)) => Err(Failure::of(why)),
-        }
+        write_and_check(source, options.output.as_deref(), (&text, &name), unhurried)
     };
-    let files = write("bounds", &found.enclosure.certificate)?;
-    let symbol = symbol(found.enclosure.bounds.quantity, degree);
-    let about = match &barrier {
-        Some(barrier) => {
-            let within = rounded(&gap(&found, barrier).relative(), 1, Towards::Above);
-            format!("{}, proved up to {within}", options.goal(&symbol))
-        }
-        None => format!("best found for: {}", options.goal(&symbol)),
+    let enclosure = &approximated.found.enclosure;
+    let files = write("bounds", &enclosure.certificate)?;
+    let picture = options.plot.draw(source, enclosure, Some(&about(approximated)), unhurried)?;
+    let barrier = match &approximated.best {
+        Best::Proved(barrier, _) => Some(write("unreachable", &barrier.certificate)?),
+        Best::NotAsked | Best::Open(_) => None,
     };
-    let picture = options.plot.draw(&source, degree, &found.enclosure, Some(&about), &Control::default())?;
-    let barrier =
-        barrier.map(|barrier| Ok((write("unreachable", &barrier.certificate)?, barrier))).transpose()?;
-    let answer = Answer { source: &source, options, degree, found, files, barrier, open, picture };
-    let text = match format {
-        Format::Json => to_json(&answer.data())?,
-        Format::Text | Format::Latex => answer.text(),
-    };
-    Ok(Outcome { text, verdict: answer.verdict() })
-}
-
-/// The search was stopped before anything was proved: what it had.
-fn stopped(
-    source: &Source,
-    why: Interrupted,
-    best: Option<&BestSoFar>,
-    format: Format,
-) -> Result<Outcome, Failure> {
-    let (name, statement) = (&source.name, &source.statement);
-    let text = match format {
-        Format::Json => to_json(&serde_json::json!({
-            "verdict": "UNDECIDED",
-            "name": name,
-            "reason": why.to_string(),
-            "stopped": stopped_by(why.why),
-            "best_found": best.map(|best| best_so_far_data(statement, best)),
-        }))?,
-        _ => {
-            let best = best.map(|best| format!("\n{}", best_so_far_text(statement, best)));
-            format!("UNDECIDED  {name}: {why}\n{}", best.unwrap_or_default())
-        }
-    };
-    Ok(Outcome { text, verdict: Verdict::Undecided })
-}
-
-impl ApproximateOptions {
-    /// What is to be as small or large as can be.
-    fn goal(&self, symbol: &str) -> String {
-        match self.objective {
-            ObjectiveName::LeastSquares => {
-                let (n, symbol) = (self.points, if symbol == "r" { "r² − 1" } else { symbol });
-                format!("least squares of {symbol} over {n} × {n} points")
-            }
-            ObjectiveName::Minimax if symbol == "r" => "smallest max |r − 1|".to_owned(),
-            ObjectiveName::Minimax => format!("smallest max |{symbol}|"),
-            ObjectiveName::Outer if symbol == "r" => "smallest max r with r ≥ 1".to_owned(),
-            ObjectiveName::Outer => format!("smallest max {symbol} with {symbol} ≥ 0"),
-            ObjectiveName::Inner if symbol == "r" => "largest min r with r ≤ 1".to_owned(),
-            ObjectiveName::Inner => format!("largest min {symbol} with {symbol} ≤ 0"),
-            ObjectiveName::Width => format!("smallest max {symbol} − min {symbol}"),
-        }
-    }
-}
-
-/// Bounds a millionth tighter than what was found, which no values reach.
-fn barrier(source: &Source, found: &Approximation, control: &Control) -> Result<Barrier, UnreachableError> {
-    let error = found.extremes.iter().map(|place| place.value.abs()).fold(0.0, f64::max);
-    let places = (-error.log10()).ceil().max(0.0) as u32 + DIGITS;
-    let unit = BigInt::from(10).pow(places);
-    let size = BigInt::from((error * (1.0 - WITHIN) * unit.to_f64().unwrap_or(f64::INFINITY)) as i128);
-    let centre = match found.enclosure.bounds.quantity {
-        Quantity::Radius => unit,
-        Quantity::Ratio => BigInt::ZERO,
-    };
-    let worst: Vec<_> =
-        found.extremes.iter().filter(|place| place.value.abs() > 0.5 * error).copied().collect();
-    exclude(&source.statement, [&centre - &size, &centre + &size], places, &worst, control)
-}
-
-/// max |r − 1| as the bounds have it.
-fn reached(found: &Approximation) -> BigRational {
-    error_value(&error_of(&found.enclosure), found.enclosure.bounds.places)
-}
-
-/// What is reached, and what the checker found that no values do better than.
-fn gap(found: &Approximation, barrier: &Barrier) -> Gap {
-    Gap { reached: reached(found), unreached: barrier.half_width.clone() }
-}
-
-struct Answer<'a> {
-    source: &'a Source,
-    options: &'a ApproximateOptions,
-    degree: u32,
-    found: Approximation,
-    files: Files,
-    barrier: Option<(Files, Barrier)>,
-    /// Why it is not proved that nothing is better.
-    open: Option<UnreachableError>,
-    /// The line that tells of a picture.
-    picture: String,
-}
-
-impl Answer<'_> {
-    fn verdict(&self) -> Verdict {
-        if self.open.is_some() { Verdict::Undecided } else { Verdict::Enclosed }
-    }
-
-    fn text(&self) -> String {
-        let (enclosure, statement) = (&self.found.enclosure, &self.source.statement);
-        let goal = self.options.goal(&symbol(enclosure.bounds.quantity, self.degree));
-        let bounds = enclosure_text(&enclosure.bounds, self.degree);
-        let mut text = match &self.open {
-            None => format!("{}  {}: {bounds} on the whole patch\n\n", self.verdict(), self.source.name),
-            Some(why) => format!(
-                "UNDECIDED  {}: that no values do better than {} is not proved: {why}\n\n\
-                 Proved: {bounds} on the whole patch\n",
-                self.source.name,
-                rounded(&reached(&self.found), 4, Towards::Above)
-            ),
-        };
-        text += &format!("{}\n", statement.title());
-        text += &match &self.barrier {
-            Some((_, barrier)) => {
-                let within = rounded(&gap(&self.found, barrier).relative(), 1, Towards::Above);
-                format!("{goal}, proved up to {within} of it\n")
-            }
-            None => format!("best found for: {goal}; found by search, not proved best\n"),
-        };
-        text += &format!("at {}\n\n", self.taken());
-        text += &enclosure_details(statement, enclosure, self.degree);
-        if let Some((_, barrier)) = &self.barrier {
-            text += &barrier_text(barrier, &gap(&self.found, barrier));
-        }
-        text += &checked_text(&enclosure.theorem, &self.files);
-        if let Some((files, barrier)) = &self.barrier {
-            text += &checked_text(&barrier.theorem, files);
-        }
-        text += &self.picture;
-        text
-    }
-
-    /// Which values were taken.
-    fn taken(&self) -> String {
-        if self.found.recognised {
-            return "exact values recognised near those found; that they are the best is a guess, the bounds are proved"
-                .to_owned();
-        }
-        let places = &self.found.found.places;
-        match (places.iter().min(), places.iter().max()) {
-            (Some(least), Some(most)) if least == most && *least > 0 => {
-                format!("values rounded to {least} decimals")
-            }
-            _ => "values rounded to as many digits as the search has".to_owned(),
-        }
-    }
-
-    fn data(&self) -> serde_json::Value {
-        let about = (self.verdict(), self.source.name.as_str());
-        let statement = &self.source.statement;
-        let mut data = enclosure_data(about, statement, &self.found.enclosure, &self.files);
-        data["objective"] =
-            self.options.objective.to_possible_value().map(|value| value.get_name().to_owned()).into();
-        data["recognised"] = self.found.recognised.into();
-        data["found"] = decimals_data(statement, &self.found.found);
-        data["best"] = match &self.barrier {
-            Some((files, barrier)) => {
-                let gap = gap(&self.found, barrier);
-                serde_json::json!({
-                    "proved": true,
-                    "none_better_than": gap.unreached.to_string(),
-                    "within": gap.relative().to_string(),
-                    "boxes": barrier.boxes,
-                    "theorem": barrier.theorem.sentence(),
-                    "certificate": files.certificate.display().to_string(),
-                })
-            }
-            None => serde_json::json!({ "proved": false, "how": "best found by search" }),
-        };
-        if let Some(why) = &self.open {
-            data["open"] = why.to_string().into();
-            if let UnreachableError::Interrupted(why) = why {
-                data["stopped"] = stopped_by(why.why).into();
-            }
-        }
-        data
-    }
+    Ok(Outcome::of(&Approximating { approximated, files, barrier, picture }, format)?)
 }

@@ -3,25 +3,21 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Parser, Subcommand};
 
 use super::approximate::{self, ApproximateOptions};
 use super::audit::{self, AuditOptions};
 use super::bound::{self, BoundOptions};
 use super::construct::{self, ConstructOptions};
-use super::control::Limits;
 use super::degrees::{self, DegreesOptions};
+use super::expand::{self, ExpandOptions};
 use super::export::{self, ExportOptions};
-use prove_cap_kernel::outcome::Status;
-
-use super::outcome::{Failure, Outcome};
+use super::outcome::{Format, Outcome};
+use super::prove::{self, ProveOptions};
 use super::table::{self, TableOptions};
-use super::{check, expand, list, prove};
-use crate::commands::Verdict;
-use crate::expand::Basis;
-
-/// The statement that is proved when nothing else is asked for: the paper's theorem.
-const DEFAULT: &str = "cap-2x2";
+use super::{check, list};
+use crate::commands::{Failure, Verdict};
+use crate::report::pages::Help;
 
 /// Can this rational Bézier patch lie exactly on that surface, for any values of its unknowns?
 ///
@@ -41,18 +37,6 @@ struct CommandLine {
     /// How results are printed.
     #[arg(long, value_enum, default_value_t = Format::Text, global = true)]
     format: Format,
-}
-
-#[derive(Debug, Args)]
-struct ProveOptions {
-    /// Where statement.toml and certificate.txt are written [default: proofs/NAME].
-    #[arg(short, long, value_name = "DIR")]
-    output: Option<PathBuf>,
-    /// Add radicands to the statement where its values lie in a larger field.
-    #[arg(long)]
-    extend: bool,
-    #[command(flatten)]
-    limits: Limits,
 }
 
 #[derive(Debug, Subcommand)]
@@ -78,14 +62,7 @@ enum Command {
         statement: PathBuf,
     },
     /// Print the coefficients of the condition that the patch lies on the surface.
-    Expand {
-        /// A built-in statement (see `list`) or a statement file.
-        #[arg(value_name = "NAME|FILE")]
-        source: PathBuf,
-        /// The basis of the polynomials in u and v.
-        #[arg(long, value_enum, default_value_t = BasisName::Bernstein)]
-        basis: BasisName,
-    },
+    Expand(ExpandOptions),
     /// Hold a printed coefficient listing, or a printed control net, against the truth.
     Audit(AuditOptions),
     /// Enclose the radius (of another surface F/Wᵉ) over the whole patch, with a proof, at given values of the unknowns.
@@ -104,50 +81,22 @@ enum Command {
     List,
 }
 
-/// How results are printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
-    /// For people.
-    Text,
-    /// As data: polynomials and elements of the field are strings in the canonical spelling of certificates, proved bounds
-    /// are decimals in quotes.
-    Json,
-    /// As a LaTeX document (audit only).
-    Latex,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum BasisName {
-    /// `c[r,s]`, coefficients of uʳ(1−u)^(M−r)·vˢ(1−v)^(N−s).
-    Bernstein,
-    /// `a[i,j]`, coefficients of uⁱvʲ; the paper's a1, …, a16 where they apply.
-    Monomial,
-}
-
-/// Pretty JSON with a final newline.
-pub(super) fn to_json(data: &impl serde::Serialize) -> Result<String, Failure> {
-    serde_json::to_string_pretty(data).map(|text| text + "\n").map_err(Failure::of)
-}
-
 /// Carries out the command line. Where data was asked for, an error is data too.
 pub fn run() -> Result<Outcome, Failure> {
     let (format, outcome) = match CommandLine::try_parse() {
-        Ok(line) => (line.format, carried_out(line)),
-        // --help and --version arrive as errors that go to stdout.
-        Err(error) if !error.use_stderr() => return Ok(Outcome::shown(error.render().to_string())),
+        Ok(line) => (line.format, carried_out(&line)),
         Err(error) => {
-            let message = error.render().to_string();
-            (
-                format_of_words(std::env::args_os()),
-                Err(Failure(message.trim_start_matches("error: ").to_owned())),
-            )
+            let (format, message) = (format_of_words(std::env::args_os()), error.render().to_string());
+            // --help and --version arrive as errors that go to stdout.
+            let outcome = match error.use_stderr() {
+                true => Err(Failure::new(message.trim_start_matches("error: "))),
+                false => Outcome::of(&Help { help: message }, format),
+            };
+            (format, outcome)
         }
     };
     match (format, outcome) {
-        (Format::Json, Err(Failure(message))) => {
-            let data = serde_json::json!({ "verdict": "ERROR", "reason": message.trim_end() });
-            Ok(Outcome { text: to_json(&data)?, verdict: Verdict::Failed })
-        }
+        (Format::Json, Err(failure)) => Outcome::of(&failure, format),
         (_, outcome) => outcome,
     }
 }
@@ -160,71 +109,21 @@ fn format_of_words(words: impl Iterator<Item = OsString>) -> Format {
     if json { Format::Json } else { Format::Text }
 }
 
-fn carried_out(line: CommandLine) -> Result<Outcome, Failure> {
+fn carried_out(line: &CommandLine) -> Result<Outcome, Failure> {
     let format = line.format;
-    if format == Format::Latex && !matches!(line.command, Some(Command::Audit(_))) {
-        return Err(Failure("--format latex is for audit; the other commands have text and json".to_owned()));
-    }
-    let prove = |source: Option<PathBuf>, options: ProveOptions| {
-        let source = source.unwrap_or_else(|| PathBuf::from(DEFAULT));
-        prove::run(&source, options.output.as_deref(), options.extend, &options.limits, format)
-    };
-    match line.command {
-        None => prove(None, line.options),
-        Some(Command::Prove { source, options }) => prove(source, options),
-        Some(Command::Check { statement, certificate }) => match format {
-            Format::Text | Format::Latex => {
-                let checked = check::check(&statement, &certificate)?;
-                let verdict = match checked.status {
-                    Status::Established => Verdict::Verified,
-                    Status::Wrong => Verdict::Rejected,
-                    Status::Failed => Verdict::Failed,
-                };
-                Ok(Outcome { text: checked.text, verdict })
-            }
-            Format::Json => check_as_data(&statement, &certificate),
-        },
-        Some(Command::Canonical { statement }) => {
-            let canonical = check::canonical(&statement)?;
-            match format {
-                Format::Text | Format::Latex => Ok(Outcome::shown(canonical.text)),
-                Format::Json => {
-                    to_json(&serde_json::json!({ "canonical": canonical.text })).map(Outcome::shown)
-                }
-            }
-        }
-        Some(Command::Expand { source, basis }) => {
-            let basis = match basis {
-                BasisName::Bernstein => Basis::Bernstein,
-                BasisName::Monomial => Basis::Monomial,
-            };
-            expand::run(&source, basis, format)
-        }
-        Some(Command::Audit(options)) => audit::run(&options, format),
-        Some(Command::Bound(options)) => bound::run(&options, format),
-        Some(Command::Approximate(options)) => approximate::run(&options, format),
-        Some(Command::Table(options)) => table::run(&options, format),
-        Some(Command::Construct(options)) => construct::run(&options, format),
-        Some(Command::Degrees(options)) => degrees::run(&options, format),
-        Some(Command::Export(options)) => export::run(&options, format),
+    match &line.command {
+        None => prove::run(None, &line.options, format),
+        Some(Command::Prove { source, options }) => prove::run(source.as_deref(), options, format),
+        Some(Command::Check { statement, certificate }) => check::run(statement, certificate, format),
+        Some(Command::Canonical { statement }) => check::canonical(statement, format),
+        Some(Command::Expand(options)) => expand::run(options, format),
+        Some(Command::Audit(options)) => audit::run(options, format),
+        Some(Command::Bound(options)) => bound::run(options, format),
+        Some(Command::Approximate(options)) => approximate::run(options, format),
+        Some(Command::Table(options)) => table::run(options, format),
+        Some(Command::Construct(options)) => construct::run(options, format),
+        Some(Command::Degrees(options)) => degrees::run(options, format),
+        Some(Command::Export(options)) => export::run(options, format),
         Some(Command::List) => list::run(format),
     }
-}
-
-fn check_as_data(statement: &std::path::Path, certificate: &std::path::Path) -> Result<Outcome, Failure> {
-    let (data, verdict) = match check::examine(statement, certificate)? {
-        Ok(theorem) => (
-            serde_json::json!({
-                "verdict": "VERIFIED",
-                "claim": theorem.kind(),
-                "theorem": theorem.sentence(),
-                "statement": crate::report::json::statement(theorem.statement()),
-            }),
-            Verdict::Verified,
-        ),
-        Err(rejection) => {
-            (serde_json::json!({ "verdict": "REJECTED", "reason": rejection }), Verdict::Rejected)
-        }
-    };
-    Ok(Outcome { text: to_json(&data)?, verdict })
 }

@@ -7,12 +7,9 @@ use std::time::{Duration, Instant};
 use bytesize::ByteSize;
 use clap::Args;
 
-use super::arguments::{Format, to_json};
-use super::outcome::{Failure, Outcome};
-use crate::commands::Verdict;
-use crate::control::{Control, Interrupted, Why};
-use crate::exact::Limit;
-use crate::report::stopped::stopped_by;
+use super::outcome::{Ended, Format, Outcome};
+use crate::commands::Failure;
+use crate::control::{Control, Why};
 
 /// How often the memory in use is looked at.
 const WATCH: Duration = Duration::from_millis(20);
@@ -48,30 +45,16 @@ fn size(text: &str) -> Result<ByteSize, String> {
 pub(super) fn under_control(
     limits: &Limits,
     (name, format): (&str, Format),
-    command: impl FnOnce(&Control) -> Result<Outcome, Failure>,
+    command: impl FnOnce(&Control) -> Result<Outcome, Ended>,
 ) -> Result<Outcome, Failure> {
-    controlled(limits, |control| match (command(control), control.check()) {
-        // What the trusted part could not finish because it was stopped is no error.
-        (Err(Failure(message)), Err(why)) if message.contains(&Limit::ended().to_string()) => {
-            stopped(name, format, &why)
-        }
-        (outcome, _) => outcome,
-    })?
-}
-
-/// The work was stopped before anything was established.
-pub(super) fn stopped(name: &str, format: Format, why: &Interrupted) -> Result<Outcome, Failure> {
-    let text = match format {
-        Format::Json => to_json(&serde_json::json!({
-            "verdict": "UNDECIDED", "name": name, "reason": why.to_string(), "stopped": stopped_by(why.why),
-        }))?,
-        Format::Text | Format::Latex => format!("UNDECIDED  {name}: {why}\n"),
-    };
-    Ok(Outcome { text, verdict: Verdict::Undecided })
+    let outcome = controlled(limits, |control| {
+        command(control).map_err(|ended| ended.unless_stopped(name, control.check()))
+    })?;
+    Outcome::or_ended(outcome, format)
 }
 
 /// Does work under such a control.
-pub(super) fn controlled<T>(limits: &Limits, work: impl FnOnce(&Control) -> T) -> Result<T, Failure> {
+fn controlled<T>(limits: &Limits, work: impl FnOnce(&Control) -> T) -> Result<T, Failure> {
     if let Some(threads) = limits.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads));
         pool.build_global().map_err(Failure::of)?;
@@ -115,7 +98,7 @@ fn used_memory() -> Option<u64> {
 /// Looks at the memory in use at once, and then from a thread that ends with the process.
 fn watch(most: ByteSize, used: fn() -> Option<u64>, control: Control) -> Result<(), Failure> {
     let Some(now) = used() else {
-        return Err(Failure("--max-memory: this system does not tell how much memory is in use".to_owned()));
+        return Err(Failure::new("--max-memory: this system does not tell how much memory is in use"));
     };
     if now > most.as_u64() {
         control.stop(Why::Memory);

@@ -4,21 +4,14 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::arguments::{Format, to_json};
-use super::construct::{refused, write};
+use super::construct::write;
 use super::control::{Limits, under_control};
 use super::files::write_pair;
-use super::outcome::{Failure, Outcome};
-use super::polygon::{PolygonOptions, Shape};
-use crate::certificate::Certificate;
-use crate::checker::{CheckError, check_read_within};
-use crate::commands::Verdict;
-use crate::construction::{
-    Cell, Phase, Refusal, classify, closing_certificate, closing_statement, construct,
-};
+use super::outcome::{Ended, Format, Outcome};
+use super::polygon::PolygonOptions;
+use crate::commands::{self, Failure};
 use crate::control::Control;
-use crate::report::{Backing, degrees_data, degrees_text, explain};
-use crate::statement::Statement;
+use crate::report::pages::{Classifying, Explained};
 
 #[derive(Debug, Args)]
 pub(super) struct DegreesOptions {
@@ -37,68 +30,30 @@ pub(super) struct DegreesOptions {
     limits: Limits,
 }
 
-/// The statement that the phase closes, and its refutation, which the checker has accepted.
-fn closing(shape: &Shape, text: &str, control: &Control) -> Result<(Statement, Certificate), Refusal> {
-    let statement = Statement::read(text).map_err(CheckError::from)?;
-    let certificate = closing_certificate(&shape.polygon, &statement).map_err(Refusal::Limit)?;
-    let certificate = certificate.ok_or(Refusal::NoneFound)?;
-    check_read_within(&statement, &certificate, &mut control.work())
-        .map_err(|error| control.unless_stopped(Refusal::from(error)))?;
-    Ok((statement, certificate))
-}
-
 pub(super) fn run(options: &DegreesOptions, format: Format) -> Result<Outcome, Failure> {
     under_control(&options.limits, ("degrees", format), |control| carried_out(options, format, control))
 }
 
-fn carried_out(options: &DegreesOptions, format: Format, control: &Control) -> Result<Outcome, Failure> {
-    let shape = Shape::find(&options.polygon)?;
+fn carried_out(options: &DegreesOptions, format: Format, control: &Control) -> Result<Outcome, Ended> {
+    let shape = options.polygon.shape()?;
     if let Some(bidegree) = &options.explain {
-        let text = explain(&shape.name, &shape.polygon, (bidegree[0], bidegree[1]));
-        let text = match format {
-            Format::Json => {
-                to_json(&serde_json::json!({ "name": shape.name, "bidegree": bidegree, "argument": text }))?
-            }
-            _ => text,
-        };
-        return Ok(Outcome { text, verdict: Verdict::Classified });
+        let bidegree = (bidegree[0], bidegree[1]);
+        return Ok(Outcome::of(&Explained { shape, bidegree }, format)?);
     }
-    let directory =
-        options.output.clone().unwrap_or_else(|| Path::new("proofs").join(format!("degrees-{}", shape.name)));
-    let phase = Phase::of(&shape.polygon);
-    let mut backing = Backing::default();
-    if phase == Phase::Open {
-        let title = format!("Closing condition of the quadrilateral {}", shape.name);
-        let text = closing_statement(&shape.polygon, &title);
-        let (statement, certificate) = match closing(&shape, &text, control) {
-            Ok(refutation) => refutation,
-            Err(refusal) => return refused(&shape, (2, 2), refusal, format),
-        };
-        let certificate = (&*certificate.write(&statement.ring()), "certificate.txt");
-        backing.closing = match write_pair(&directory.join("closing"), &text, certificate, control) {
-            Ok(files) => Some(files),
-            Err(unchecked) => return unchecked.outcome(&shape.name, format),
-        };
-    }
-    let bases = [(2, 2), (4, 2), (2, 4)].into_iter().filter(|base| match classify(phase, *base) {
-        Cell::Exact(from) => from == *base,
-        Cell::LongerWay => true,
-        _ => false,
+    let name = shape.name.clone();
+    let directory = options.output.clone();
+    let directory = directory.unwrap_or_else(|| Path::new("proofs").join(format!("degrees-{name}")));
+    let degrees = &commands::degrees(shape, options.up_to, control)?;
+    let closing = degrees.closing.as_ref().map(|closing| {
+        let certificate = closing.certificate.write(&closing.statement.ring());
+        let files = (certificate.as_str(), "certificate.txt");
+        write_pair(&directory.join("closing"), (&name, &closing.text), files, control)
     });
-    let bases: Vec<(u32, u32)> = bases.filter(|(m, n)| *m.max(n) <= options.up_to).collect();
-    for base in bases {
-        let made = match construct(&shape.polygon, &shape.name, base, None, control) {
-            Ok(made) => made,
-            Err(refusal) => return refused(&shape, base, refusal, format),
-        };
-        match write(&directory.join(format!("{}x{}", base.0, base.1)), &made, control) {
-            Ok(files) => backing.nets.push((base, made, files)),
-            Err(unchecked) => return unchecked.outcome(&shape.name, format),
-        }
-    }
-    let text = match format {
-        Format::Json => to_json(&degrees_data(&shape.name, &shape.polygon, options.up_to, &backing))?,
-        _ => degrees_text(&shape.name, &shape.polygon, options.up_to, &backing),
-    };
-    Ok(Outcome { text, verdict: Verdict::Classified })
+    let closing = closing.transpose()?;
+    let nets = degrees
+        .nets
+        .iter()
+        .map(|((m, n), made)| write(&directory.join(format!("{m}x{n}")), (&name, made), control));
+    let nets = nets.collect::<Result<Vec<_>, _>>()?;
+    Ok(Outcome::of(&Classifying { degrees, closing, nets }, format)?)
 }

@@ -1,27 +1,38 @@
 //! `prove-cap expand NAME|FILE`: the coefficients of the surface condition.
 
-use std::path::Path;
+use std::path::PathBuf;
 
-use super::arguments::{Format, to_json};
-use super::outcome::{Failure, Outcome};
-use super::source::Source;
+use clap::{Args, ValueEnum};
+
+use super::outcome::{Format, Outcome};
+use super::source::find;
+use crate::commands::{self, Failure};
+use crate::control::Control;
 use crate::expand::Basis;
-use crate::report::{describe_expansion, json};
 
-pub(super) fn run(name_or_file: &Path, basis: Basis, format: Format) -> Result<Outcome, Failure> {
-    let source = Source::find(name_or_file)?;
-    match format {
-        Format::Text | Format::Latex => {
-            describe_expansion(&source.statement, basis).map_err(Failure::of).map(Outcome::shown)
-        }
-        Format::Json => {
-            let data = serde_json::json!({
-                "name": source.name,
-                "statement": json::statement(&source.statement),
-                "basis": if basis == Basis::Bernstein { "bernstein" } else { "monomial" },
-                "coefficients": json::expansion(&source.statement, basis).map_err(Failure::of)?,
-            });
-            to_json(&data).map(Outcome::shown)
-        }
-    }
+#[derive(Debug, Args)]
+pub(super) struct ExpandOptions {
+    /// A built-in statement (see `list`) or a statement file.
+    #[arg(value_name = "NAME|FILE")]
+    source: PathBuf,
+    /// The basis of the polynomials in u and v.
+    #[arg(long, value_enum, default_value_t = BasisName::Bernstein)]
+    basis: BasisName,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum BasisName {
+    /// `c[r,s]`, coefficients of uʳ(1−u)^(M−r)·vˢ(1−v)^(N−s).
+    Bernstein,
+    /// `a[i,j]`, coefficients of uⁱvʲ; the paper's a1, …, a16 where they apply.
+    Monomial,
+}
+
+pub(super) fn run(options: &ExpandOptions, format: Format) -> Result<Outcome, Failure> {
+    let basis = match options.basis {
+        BasisName::Bernstein => Basis::Bernstein,
+        BasisName::Monomial => Basis::Monomial,
+    };
+    let source = find(&options.source, &Control::default())?;
+    Outcome::of(&commands::expand(source, basis)?, format)
 }

@@ -1,11 +1,10 @@
 //! The command line: one file for each subcommand, and the only place that prints or exits.
 
-use prove_cap_kernel::command as check;
-
 mod approximate;
 mod arguments;
 mod audit;
 mod bound;
+mod check;
 mod construct;
 mod control;
 mod degrees;

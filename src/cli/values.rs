@@ -1,8 +1,7 @@
 //! Values of unknowns, tolerances, intervals and points on the command line.
 
-use super::outcome::Failure;
+use crate::commands::{self, Failure, ValuesError};
 use crate::exact::Polynomial;
-use crate::listing::read_constant;
 use crate::statement::Statement;
 
 /// The decimal places that the checker's limits allow within reason.
@@ -10,41 +9,15 @@ const PLACES: u32 = 100;
 
 /// The value of each unknown, from `NAME=VALUE`, in the statement's order.
 pub(super) fn values(statement: &Statement, set: &[String]) -> Result<Vec<Polynomial>, Failure> {
-    let unknowns = statement.unknowns();
-    let mut values: Vec<Option<Polynomial>> = vec![None; unknowns.len()];
-    for text in set {
-        let Some((name, value)) = text.split_once('=') else {
-            return Err(Failure(format!("--set {text}: expected NAME=VALUE, as in w=0.5")));
-        };
-        let Some(place) = unknowns.iter().position(|unknown| unknown == name.trim()) else {
-            let expected = match unknowns {
-                [] => "the patch has no unknowns".to_owned(),
-                names => format!("expected one of {}", names.join(", ")),
-            };
-            return Err(Failure(format!("--set {text}: `{}` is not an unknown; {expected}", name.trim())));
-        };
-        if values[place].is_some() {
-            return Err(Failure(format!("--set {text}: `{}` is set twice", name.trim())));
-        }
-        let read = read_constant(value, statement.field()).map_err(|error| {
-            Failure(format!(
-                "--set {text}: {}\nexpected an exact number of {}: a decimal, 1/2, or an expression like 4*sqrt(3)/3",
-                error.fault(),
-                statement.field()
-            ))
-        })?;
-        values[place] = Some(read);
-    }
-    let missing: Vec<&str> = unknowns
-        .iter()
-        .zip(&values)
-        .filter(|(_, value)| value.is_none())
-        .map(|(name, _)| name.as_str())
-        .collect();
-    if !missing.is_empty() {
-        return Err(Failure(format!("no value for {}: give it with --set NAME=VALUE", missing.join(", "))));
-    }
-    Ok(values.into_iter().flatten().collect())
+    let pairs = set.iter().map(|text| {
+        let expected = || Failure::new(format!("--set {text}: expected NAME=VALUE, as in w=0.5"));
+        text.split_once('=').ok_or_else(expected)
+    });
+    let pairs: Vec<(&str, &str)> = pairs.collect::<Result<_, _>>()?;
+    commands::values(statement, &pairs).map_err(|error| match error {
+        ValuesError::Wrong { .. } => Failure::new(format!("--set {error}")),
+        ValuesError::Missing(_) => Failure::new(format!("{error}: give it with --set NAME=VALUE")),
+    })
 }
 
 /// A tolerance as decimal places: 1e-12 is 12.

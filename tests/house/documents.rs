@@ -40,7 +40,7 @@ fn the_readme_counts_the_trusted_lines() {
         }
     }
     assert_eq!(rows, folders_of("src/kernel"), "each folder of the kernel has its row");
-    if std::env::var_os("PROVE_CAP_UPDATE").is_some() {
+    if readme != corrected && std::env::var_os("PROVE_CAP_UPDATE").is_some() {
         fs::write("README.md", &corrected).unwrap();
     }
     assert_eq!(
@@ -62,7 +62,7 @@ fn the_pages_have_all_verdicts() {
         let (before, rest) = text.split_once(mark).expect("the place for the table");
         let (_, after) = rest.split_once("<!-- end of verdicts -->").expect("the end of the table");
         let corrected = format!("{before}{mark}{}<!-- end of verdicts -->{after}", Verdict::table());
-        if std::env::var_os("PROVE_CAP_UPDATE").is_some() {
+        if text != corrected && std::env::var_os("PROVE_CAP_UPDATE").is_some() {
             fs::write(page, &corrected).unwrap();
         }
         assert_eq!(
