@@ -1,38 +1,16 @@
 //! `prove-cap construct [POLYGON] --bidegree M N`: an exact patch, verified.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use clap::Args;
-
-use super::control::{Limits, under_control};
+use super::arguments::ConstructOptions;
+use super::control::under_control;
 use super::files::write_pair;
 use super::outcome::{Ended, Format, Outcome};
-use super::polygon::PolygonOptions;
 use crate::commands::{self, Failure};
 use crate::construction::Construction;
 use crate::control::Control;
 use crate::report::Files;
 use crate::report::pages::{Constructing, Tiling};
-
-#[derive(Debug, Args)]
-pub(super) struct ConstructOptions {
-    #[command(flatten)]
-    polygon: PolygonOptions,
-    /// The degrees in u and v.
-    #[arg(long, num_args = 2, value_names = ["M", "N"], required = true, value_parser = clap::value_parser!(u32).range(1..=32))]
-    bidegree: Vec<u32>,
-    /// The number that is free at the centre of the patch with the symmetry of the square, from bidegree (4,4) on [default: 1].
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
-    centre: Option<String>,
-    /// Cover the whole sphere by images of the polygon, and compute exactly whether neighbours meet point for point.
-    #[arg(long, conflicts_with_all = ["corners", "centre"])]
-    tiling: bool,
-    /// Where statement.toml and the certificates are written [default: proofs/construct-POLYGON-MxN].
-    #[arg(short, long, value_name = "DIR")]
-    output: Option<PathBuf>,
-    #[command(flatten)]
-    limits: Limits,
-}
 
 pub(super) fn run(options: &ConstructOptions, format: Format) -> Result<Outcome, Failure> {
     under_control(&options.limits, ("construct", format), |control| carried_out(options, format, control))

@@ -5,40 +5,14 @@ use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
 
 use bytesize::ByteSize;
-use clap::Args;
 
+use super::arguments::Limits;
 use super::outcome::{Ended, Format, Outcome};
 use crate::commands::Failure;
 use crate::control::{Control, Why};
 
 /// How often the memory in use is looked at.
 const WATCH: Duration = Duration::from_millis(20);
-
-/// What long work may use, and what it tells.
-#[derive(Debug, Args)]
-pub(super) struct Limits {
-    /// Stop after this many seconds, UNDECIDED.
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
-    timeout: Option<Duration>,
-    /// Stop when the process uses more memory than this (500M, 2G), UNDECIDED.
-    #[arg(long, value_name = "SIZE", value_parser = size)]
-    max_memory: Option<ByteSize>,
-    /// Threads for exact lifting [default: one for each core]; the result does not depend on it.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    threads: Option<u16>,
-    /// Tell the phases, with times, on stderr.
-    #[arg(short, long)]
-    verbose: bool,
-}
-
-fn seconds(text: &str) -> Result<Duration, String> {
-    let seconds: f64 = text.parse().map_err(|_| "expected a number of seconds".to_owned())?;
-    Duration::try_from_secs_f64(seconds).map_err(|_| "expected a number of seconds from 0".to_owned())
-}
-
-fn size(text: &str) -> Result<ByteSize, String> {
-    text.parse().map_err(|_| "expected a size in bytes, such as 500M or 2G".to_owned())
-}
 
 /// Carries out a command under a control that listens to Ctrl-C, the clock and the memory, from the reading of its files to
 /// the last word of its report, and shows progress where that is seen.

@@ -14,10 +14,9 @@ mod files;
 mod list;
 pub mod outcome;
 mod plot;
-mod polygon;
 mod prove;
+mod run;
 mod source;
 mod table;
-mod values;
 
-pub use arguments::run;
+pub use run::run;

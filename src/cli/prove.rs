@@ -1,10 +1,9 @@
 //! `prove-cap prove [NAME|FILE]`: prove a statement, write statement and certificate, check what was written.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use clap::Args;
-
-use super::control::{Limits, under_control};
+use super::arguments::ProveOptions;
+use super::control::under_control;
 use super::files::write_and_check;
 use super::outcome::{Ended, Format, Outcome};
 use super::source::find;
@@ -15,18 +14,6 @@ use crate::report::pages::Proving;
 
 /// The statement that is proved when nothing else is asked for: the paper's theorem.
 const DEFAULT: &str = "cap-2x2";
-
-#[derive(Debug, Args)]
-pub(super) struct ProveOptions {
-    /// Where statement.toml and certificate.txt are written [default: proofs/NAME].
-    #[arg(short, long, value_name = "DIR")]
-    output: Option<PathBuf>,
-    /// Add radicands to the statement where its values lie in a larger field.
-    #[arg(long)]
-    extend: bool,
-    #[command(flatten)]
-    limits: Limits,
-}
 
 pub(super) fn run(source: Option<&Path>, options: &ProveOptions, format: Format) -> Result<Outcome, Failure> {
     let called = source.unwrap_or(Path::new(DEFAULT));

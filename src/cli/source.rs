@@ -16,6 +16,12 @@ pub(super) fn find(name_or_file: &Path, control: &Control) -> Result<Source, Fai
     Source::read(name_or_file, &read_limited(name_or_file, JSON_BYTES)?, control)
 }
 
+/// What a file calls a statement: a file is meant from where the first one is.
+pub(super) fn beside(file: Option<&Path>, name: &str) -> PathBuf {
+    let path = file.and_then(Path::parent).map(|folder| folder.join(name));
+    path.filter(|path| path.is_file()).unwrap_or_else(|| PathBuf::from(name))
+}
+
 /// Where the proof goes unless the user says otherwise.
 pub(super) fn default_directory(source: &Source) -> PathBuf {
     Path::new("proofs").join(&source.name)

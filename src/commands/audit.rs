@@ -42,6 +42,20 @@ impl AuditedNet {
     }
 }
 
+/// The listing with what its names mean in the statement, `w_{11}=w`, and which coefficients its labels name, `a_{14}=4,2`.
+///
+/// # Errors
+/// Where one of them cannot be read.
+pub fn mapped(mut listing: Listing, names: &[String], labels: &[String]) -> Result<Listing, Failure> {
+    for mapping in names {
+        listing.map_name(mapping).map_err(|error| Failure::about("--name", error))?;
+    }
+    for mapping in labels {
+        listing.map_label(mapping).map_err(|error| Failure::about("--label", error))?;
+    }
+    Ok(listing)
+}
+
 /// Holds a listing against a statement. `place` is what errors call the listing.
 ///
 /// # Errors

@@ -25,7 +25,7 @@ mod values;
 mod verdict;
 
 pub use approximate::{Approximated, Best, Gap, approximate, sensible};
-pub use audit::{AuditedListing, AuditedNet, audit_listing, audit_net};
+pub use audit::{AuditedListing, AuditedNet, audit_listing, audit_net, mapped};
 pub use bound::{Bounded, Bounding, bound, degree_of};
 pub use check::{Checked, Named, canonical, check};
 pub use construct::{Constructed, Tiled, construct, construct_tiling};

@@ -8,7 +8,7 @@ use crate::statement::Statement;
 const PLACES: u32 = 100;
 
 /// The value of each unknown, from `NAME=VALUE`, in the statement's order.
-pub(super) fn values(statement: &Statement, set: &[String]) -> Result<Vec<Polynomial>, Failure> {
+pub(in crate::cli) fn values(statement: &Statement, set: &[String]) -> Result<Vec<Polynomial>, Failure> {
     let pairs = set.iter().map(|text| {
         let expected = || Failure::new(format!("--set {text}: expected NAME=VALUE, as in w=0.5"));
         text.split_once('=').ok_or_else(expected)
@@ -21,7 +21,7 @@ pub(super) fn values(statement: &Statement, set: &[String]) -> Result<Vec<Polyno
 }
 
 /// A tolerance as decimal places: 1e-12 is 12.
-pub(super) fn tolerance(text: &str) -> Result<u32, String> {
+pub(in crate::cli) fn tolerance(text: &str) -> Result<u32, String> {
     let size: f64 = text.parse().map_err(|_| "expected a number such as 1e-12".to_owned())?;
     if !(size > 0.0 && size < 1.0) {
         return Err("expected a number between 0 and 1, such as 1e-12".to_owned());
@@ -36,7 +36,7 @@ pub(super) fn tolerance(text: &str) -> Result<u32, String> {
 }
 
 /// An interval of two printed decimals, `0.9,1.1`, as they are printed; with a true minus, and in brackets, too.
-pub(super) fn interval(text: &str) -> Result<[String; 2], String> {
+pub(in crate::cli) fn interval(text: &str) -> Result<[String; 2], String> {
     let expected = || "expected two decimals, LOW,HIGH, as in 0.99,1.01".to_owned();
     let text = text.trim().replace('−', "-");
     let inside = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
@@ -53,7 +53,7 @@ pub(super) fn interval(text: &str) -> Result<[String; 2], String> {
 }
 
 /// A point (u, v) of the square, `0.5,0.5`.
-pub(super) fn point(text: &str) -> Result<(f64, f64), String> {
+pub(in crate::cli) fn point(text: &str) -> Result<(f64, f64), String> {
     let expected = || "expected a point U,V of the unit square, as in 0.5,0.5".to_owned();
     let (u, v) = text.split_once(',').ok_or_else(expected)?;
     let read = |text: &str| text.trim().parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));

@@ -5,7 +5,7 @@ use clap::Args;
 use crate::commands::{Failure, Shape};
 
 #[derive(Debug, Args)]
-pub(super) struct PolygonOptions {
+pub(in crate::cli) struct PolygonOptions {
     /// cube, rhombic-dodecahedron, deltoidal-icositetrahedron or octant [default: cube].
     #[arg(value_name = "POLYGON", conflicts_with = "corners")]
     polygon: Option<String>,
@@ -19,7 +19,7 @@ pub(super) struct PolygonOptions {
 }
 
 impl PolygonOptions {
-    pub(super) fn shape(&self) -> Result<Shape, Failure> {
+    pub(in crate::cli) fn shape(&self) -> Result<Shape, Failure> {
         match &self.corners {
             Some(corners) => Shape::with_corners(corners, &self.radicands),
             None => Shape::named(self.polygon.as_deref().unwrap_or("cube")),
