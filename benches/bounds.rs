@@ -29,7 +29,7 @@ fn enclosure(bencher: Bencher<'_, '_>, places: u32) {
 fn check_of_an_enclosure(bencher: Bencher<'_, '_>, places: u32) {
     let (statement, values) = paper();
     let enclosure = enclose(&statement, &values, places, &Control::default()).unwrap();
-    bencher.bench(|| check_read(&statement, &enclosure.certificate).unwrap());
+    bencher.bench(|| check_read(&statement, enclosure.proof.certificate()).unwrap());
 }
 
 #[divan::bench(sample_count = 3)]

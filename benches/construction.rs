@@ -25,14 +25,15 @@ fn construct_and_verify(bidegree: (u32, u32)) {
 #[divan::bench(args = BIDEGREES, sample_count = 5)]
 fn check_of_a_cover(bencher: Bencher<'_, '_>, bidegree: (u32, u32)) {
     let made = construct(&cube(), "cube", bidegree, None, &Control::default()).unwrap();
-    let (certificate, _) = made.cover.unwrap();
-    bencher.bench(|| check_read(&made.statement, &certificate).unwrap());
+    let proof = made.cover.unwrap();
+    let certificate = proof.certificate();
+    bencher.bench(|| check_read(&made.statement, certificate).unwrap());
 }
 
 #[divan::bench(args = BIDEGREES, sample_count = 5)]
 fn check_of_the_identity(bencher: Bencher<'_, '_>, bidegree: (u32, u32)) {
     let made = construct(&cube(), "cube", bidegree, None, &Control::default()).unwrap();
-    bencher.bench(|| check_read(&made.statement, &made.exact.0).unwrap());
+    bencher.bench(|| check_read(&made.statement, made.exact.certificate()).unwrap());
 }
 
 #[divan::bench(args = ["cube", "rhombic-dodecahedron", "deltoidal-icositetrahedron"], sample_count = 3)]

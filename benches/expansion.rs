@@ -4,7 +4,7 @@
 
 use prove_cap::bezier::surface_condition;
 use prove_cap::catalogue::{Cap, Interior, Symmetry};
-use prove_cap::prove::field_of;
+use prove_cap::problem::field_of;
 use prove_cap::statement::{Statement, Subject};
 
 fn main() {

@@ -31,7 +31,8 @@ fn proving(bencher: divan::Bencher, name: &str) {
 fn checking(bencher: divan::Bencher, name: &str) {
     let text = text(name);
     let statement = Statement::read(&text).expect("well formed");
-    let Ok(Attempt::Proved { certificate, .. }) = prove(&statement, &Control::default()) else { return };
+    let Ok(Attempt::Proved { proof, .. }) = prove(&statement, &Control::default()) else { return };
+    let certificate = proof.certificate();
     let certificate = certificate.write(&statement.ring());
     bencher.bench(|| check(text.as_bytes(), certificate.as_bytes()).expect("verified"));
 }

@@ -11,9 +11,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let entry = catalogue::find("cap-2x2-weights").ok_or("not in the catalogue")?;
     let statement = Statement::read(&entry.statement())?;
     match prove(&statement, &Control::default())? {
-        Attempt::Proved { certificate, theorem, .. } => {
-            println!("{theorem}\n");
-            print!("{}", certificate.write(&statement.ring()));
+        Attempt::Proved { proof, .. } => {
+            println!("{}\n", proof.theorem());
+            print!("{}", proof.text());
         }
         Attempt::Undecided(reason) => println!("undecided: {reason:?}"),
     }

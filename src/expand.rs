@@ -3,7 +3,7 @@
 use crate::algebra::polynomial_to_exact;
 use crate::control::{Control, Interrupted};
 use crate::exact::{Limit, Polynomial};
-use crate::prove::condition_within;
+use crate::problem::Problem;
 use crate::statement::Statement;
 
 /// In which basis F is expanded.
@@ -31,7 +31,8 @@ pub struct Coefficient {
 /// # Errors
 /// Where a coefficient exceeds what the formats allow.
 pub fn coefficients(statement: &Statement, basis: Basis) -> Result<Option<Vec<Coefficient>>, Limit> {
-    coefficients_within(statement, basis, &Control::default()).map_err(|error| match error {
+    let control = Control::default();
+    coefficients_of(&Problem::of(statement, &control), basis, &control).map_err(|error| match error {
         ExpansionError::Limit(limit) => limit,
         ExpansionError::Interrupted(_) => unreachable!("nobody stops it"),
     })
@@ -48,16 +49,16 @@ pub enum ExpansionError {
     Interrupted(#[from] Interrupted),
 }
 
-/// The same, where it may be stopped.
+/// The same of a condition that is expanded already.
 ///
 /// # Errors
 /// [`ExpansionError`]
-pub fn coefficients_within(
-    statement: &Statement,
+pub fn coefficients_of(
+    problem: &Problem,
     basis: Basis,
     control: &Control,
 ) -> Result<Option<Vec<Coefficient>>, ExpansionError> {
-    let Some(form) = condition_within(statement, control)? else {
+    let Some(form) = problem.condition()? else {
         return Ok(None);
     };
     let entries: Vec<_> = match basis {

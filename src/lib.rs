@@ -13,8 +13,8 @@
 //!
 //! let text = catalogue::find("cap-2x2").unwrap().statement();
 //! let statement = Statement::read(&text).unwrap();
-//! let Ok(Attempt::Proved { certificate, theorem, .. }) = prove(&statement, &Control::default()) else { panic!() };
-//! println!("{theorem}\n{}", certificate.write(&statement.ring()));
+//! let Ok(Attempt::Proved { proof, .. }) = prove(&statement, &Control::default()) else { panic!() };
+//! println!("{}\n{}", proof.theorem(), proof.text());
 //! ```
 
 // Trusted: a crate of its own, below src/kernel.
@@ -22,10 +22,12 @@ pub use prove_cap_kernel::{certificate, checker, exact, statement};
 
 // Untrusted: whatever comes out of these is judged by the checker.
 pub mod control;
+pub mod proof;
 pub mod algebra;
 pub mod bezier;
 pub mod geometry;
 pub mod elimination;
+pub mod problem;
 pub mod catalogue;
 pub mod prove;
 pub mod approximation;

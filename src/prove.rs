@@ -3,17 +3,17 @@
 mod extension;
 mod zero;
 
-use crate::algebra::{MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact};
-use crate::bezier::{BernsteinForm, surface_condition_within};
-use crate::certificate::{Argument, Certificate, Premise, Step};
-use crate::checker::{CheckError, Equations, Theorem, check_read_within};
+use crate::algebra::{Polynomial, polynomial_to_exact};
+use crate::certificate::{Argument, Premise, Step};
+use crate::checker::{CheckError, Equations};
 use crate::control::{Control, Interrupted};
 use crate::elimination::{
-    Closure, Derivation, NamedStep, Outcome, Progress, Source, System, Tried, Undecided, eliminate,
-    points_in_field,
+    Closure, Derivation, NamedStep, Outcome, Progress, Source, Tried, Undecided, eliminate, points_in_field,
 };
 use crate::exact::{self, Limit, Stop};
-use crate::statement::{Statement, Subject};
+use crate::problem::Problem;
+use crate::proof::{NoProof, Proof};
+use crate::statement::Statement;
 
 pub use extension::Extension;
 use zero::{Best, one_of_many, undecided};
@@ -25,10 +25,8 @@ pub use zero::{Freedom, image_of};
 pub enum Attempt {
     /// The claim is established: impossible, exact, or a solution of a system.
     Proved {
-        /// The certificate.
-        certificate: Certificate,
-        /// What the checker made of it.
-        theorem: Box<Theorem>,
+        /// What the checker has accepted.
+        proof: Proof,
         /// What was chosen where there are infinitely many zeros.
         freedom: Freedom,
     },
@@ -59,6 +57,8 @@ pub enum Reason {
 pub struct Consistent {
     /// What the equations are equivalent to.
     pub closure: Closure,
+    /// How many zeros in K were found that make the denominator W vanish identically: they are no patches.
+    pub without_patch: usize,
     /// Where there are infinitely many zeros, the values that were tried.
     pub tried: Option<Tried>,
     /// A larger field in which there is a zero.
@@ -96,64 +96,14 @@ impl From<Limit> for NoAnswer {
     }
 }
 
-impl From<CheckError> for NoAnswer {
-    fn from(error: CheckError) -> Self {
-        match error.limit() {
-            Some(limit) => NoAnswer::Limit(limit.clone()),
-            None => NoAnswer::Error(ProveError::Refused(error)),
+impl From<NoProof> for NoAnswer {
+    fn from(why: NoProof) -> Self {
+        match why {
+            NoProof::Interrupted(why) => NoAnswer::Interrupted(why),
+            NoProof::Limit(limit) => NoAnswer::Limit(limit),
+            NoProof::Refused(error) => NoAnswer::Error(ProveError::Refused(error)),
         }
     }
-}
-
-/// The field a statement is made over, for computing.
-pub fn field_of(statement: &Statement) -> MultiquadraticField {
-    MultiquadraticField::new(statement.field().values())
-}
-
-/// The form whose coefficients must vanish for the patch to lie on the surface; `None` for a bare system.
-pub fn condition_of(statement: &Statement) -> Option<BernsteinForm> {
-    condition_within(statement, &Control::default()).expect("nobody stops it")
-}
-
-/// The same, where it may be stopped.
-///
-/// # Errors
-/// [`Control::check`]
-pub fn condition_within(
-    statement: &Statement,
-    control: &Control,
-) -> Result<Option<BernsteinForm>, Interrupted> {
-    match statement.subject() {
-        Subject::Patch(patch) => surface_condition_within(field_of(statement), patch, control).map(Some),
-        Subject::System(_) => Ok(None),
-    }
-}
-
-/// The equations of a statement, as the prover expands them.
-///
-/// # Errors
-/// [`Control::check`]
-pub fn system_of(statement: &Statement, control: &Control) -> Result<System, Interrupted> {
-    let field = field_of(statement);
-    let mut equations: Vec<(Premise, Polynomial)> = match statement.subject() {
-        Subject::Patch(patch) => surface_condition_within(field, patch, control)?
-            .coefficients()
-            .map(|(r, s, coefficient)| (Premise::Coefficient(r, s), coefficient.clone()))
-            .collect(),
-        Subject::System(polynomials) => {
-            let read = polynomials.iter().map(|polynomial| polynomial_from_exact(field, polynomial));
-            (1..).map(Premise::Equation).zip(read).collect()
-        }
-    };
-    // Rabinowitsch: d ≠ 0 means that d·t = 1 for some t.
-    let unknowns = statement.unknowns().len();
-    for (number, assumed) in statement.nonzero().iter().enumerate() {
-        let t = Polynomial::variable(field, (unknowns + number) as u16);
-        let product = polynomial_from_exact(field, assumed).multiply(&t);
-        let minus_one = Polynomial::constant(field.integer(-1));
-        equations.push((Premise::Nonzero(number as u32 + 1), product.add(&minus_one)));
-    }
-    Ok(System::new(field, unknowns + statement.nonzero().len(), equations))
 }
 
 /// Tries to decide a statement.
@@ -161,18 +111,26 @@ pub fn system_of(statement: &Statement, control: &Control) -> Result<System, Int
 /// # Errors
 /// [`ProveError`] where the checker disagrees. What exceeds its limits is undecided.
 pub fn prove(statement: &Statement, control: &Control) -> Result<Attempt, ProveError> {
+    solve(&Problem::of(statement, control), control)
+}
+
+/// The same for a problem whose condition is expanded already.
+///
+/// # Errors
+/// As [`prove`] has them.
+pub fn solve(problem: &Problem, control: &Control) -> Result<Attempt, ProveError> {
     // The prover has no limits of its own; what the checker cannot derive is not worth proving.
     let limited = |limit, found| match control.check() {
         Ok(()) => Ok(Attempt::Undecided(Reason::Limited { limit, found })),
         // The limit may be that the checker was stopped.
         Err(why) => Ok(interrupted(why)),
     };
-    match Equations::of(statement, &mut control.work()) {
+    match Equations::of(problem.statement(), &mut control.work()) {
         Ok(_) => {}
         Err(Stop::Limit(limit)) => return limited(limit, false),
         Err(defect) => return Err(ProveError::Defect(defect)),
     }
-    search(statement, control).or_else(|why| match why {
+    search(problem, control).or_else(|why| match why {
         NoAnswer::Limit(limit) => limited(limit, true),
         NoAnswer::Interrupted(why) => Ok(interrupted(why)),
         NoAnswer::Error(error) => Err(error),
@@ -183,9 +141,9 @@ fn interrupted(why: Interrupted) -> Attempt {
     Attempt::Undecided(Reason::Elimination(Undecided::Interrupted(why)))
 }
 
-fn search(statement: &Statement, control: &Control) -> Result<Attempt, NoAnswer> {
+fn search(problem: &Problem, control: &Control) -> Result<Attempt, NoAnswer> {
     control.check()?;
-    let system = system_of(statement, control)?;
+    let (statement, system) = (problem.statement(), problem.system()?);
     let (derivation, outcome) = eliminate(&system, control);
     match outcome {
         Outcome::Unit(unit) => {
@@ -212,7 +170,8 @@ fn search(statement: &Statement, control: &Control) -> Result<Attempt, NoAnswer>
                     break;
                 }
             }
-            Ok(best.take()?.unwrap_or_else(|| undecided(statement, &system, closure, None, control)))
+            let none = (closure, best.without_patch);
+            Ok(best.take()?.unwrap_or_else(|| undecided(statement, &system, none, None, control)))
         }
         Outcome::Open(undecided) => Ok(Attempt::Undecided(Reason::Elimination(undecided))),
     }
@@ -221,14 +180,8 @@ fn search(statement: &Statement, control: &Control) -> Result<Attempt, NoAnswer>
 const NO_DENOMINATOR: Attempt = Attempt::Undecided(Reason::NoDenominator);
 
 /// The certificate with this argument, and what the checker says of it.
-fn checked(statement: &Statement, argument: Argument, control: &Control) -> Result<Attempt, CheckError> {
-    let certificate = Certificate { statement: statement.hash(), argument };
-    let theorem = check_read_within(statement, &certificate, &mut control.work());
-    theorem.map(|theorem| Attempt::Proved {
-        certificate,
-        theorem: Box::new(theorem),
-        freedom: Freedom::default(),
-    })
+fn checked(statement: &Statement, argument: Argument, control: &Control) -> Result<Attempt, NoProof> {
+    Ok(Attempt::Proved { proof: Proof::of(statement, argument, control)?, freedom: Freedom::default() })
 }
 
 fn steps(derivation: &Derivation<'_>, unit: Source, control: &Control) -> Result<Vec<Step>, NoAnswer> {

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// Both coordinates with one denominator: up to this one.
 const COMMON: u32 = 64;
@@ -14,7 +14,7 @@ const DENOMINATOR: u32 = 1 << 20;
 pub(super) fn candidates(near: &[BigRational; 2]) -> Vec<[BigRational; 2]> {
     let mut found: Vec<[BigRational; 2]> = Vec::new();
     let common = (1..=COMMON).map(|denominator| near.each_ref().map(|x| rounded(x, denominator)));
-    let [of_u, of_v] = near.each_ref().map(convergents);
+    let [of_u, of_v] = near.each_ref().map(|x| convergents(x, &DENOMINATOR.into()));
     let pairs = itertools::iproduct!(&of_u, &of_v).map(|(u, v)| [u.clone(), v.clone()]);
     for point in common.chain(pairs) {
         if !found.contains(&point) {
@@ -30,8 +30,16 @@ pub(super) fn rounded(x: &BigRational, denominator: u32) -> BigRational {
     (x * &denominator).round() / denominator
 }
 
-/// The convergents of the continued fraction of a number from 0 to 1.
-fn convergents(x: &BigRational) -> Vec<BigRational> {
+/// The fraction that a number of twice so many bits is, if it is one with a denominator of at most so many: to all but
+/// an eighth of the bits.
+pub(super) fn fraction_near(x: &BigRational, bits: u32) -> Option<BigRational> {
+    let error = BigRational::new(BigInt::one(), BigInt::one() << (2 * bits - bits / 4));
+    let largest = BigInt::one() << (bits * 3 / 4);
+    convergents(x, &largest).into_iter().find(|fraction| (fraction - x).abs() < error)
+}
+
+/// The convergents of the continued fraction of a number, with denominators up to the largest.
+fn convergents(x: &BigRational, largest: &BigInt) -> Vec<BigRational> {
     let (mut numerator, mut denominator) = (x.numer().clone(), x.denom().clone());
     let [mut before, mut last] = [[BigInt::zero(), BigInt::one()], [BigInt::one(), BigInt::zero()]];
     let mut found = Vec::new();
@@ -39,7 +47,7 @@ fn convergents(x: &BigRational) -> Vec<BigRational> {
         let (whole, rest) = numerator.div_mod_floor(&denominator);
         let next = std::array::from_fn(|k| &whole * &last[k] + &before[k]);
         (before, last) = (last, next);
-        if last[1] > BigInt::from(DENOMINATOR) {
+        if last[1] > *largest {
             break;
         }
         found.push(BigRational::new(last[0].clone(), last[1].clone()));

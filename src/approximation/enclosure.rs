@@ -9,10 +9,11 @@ use num_traits::{One, Zero};
 use super::end::{BOXES, Search, small};
 use super::scene::Scene;
 use super::tree::{NoTree, positive};
-use crate::certificate::{Argument, Bounds, Certificate, End, Quantity, Side};
-use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::certificate::{Argument, Bounds, End, Quantity, Side};
+use crate::checker::CheckError;
 use crate::control::{Control, Interrupted};
 use crate::exact::{Limit, Polynomial, Work};
+use crate::proof::{NoProof, Proof};
 use crate::statement::{Patch, Statement, Subject};
 
 /// Bounds with their certificate, accepted by the checker.
@@ -24,10 +25,8 @@ pub struct Enclosure {
     pub attained: [bool; 2],
     /// Whether they are the best with their places; if not, the quantity at its point is the next decimal, exactly.
     pub best: [bool; 2],
-    /// The certificate.
-    pub certificate: Certificate,
-    /// What the checker made of it.
-    pub theorem: Theorem,
+    /// What the checker has accepted.
+    pub proof: Proof,
 }
 
 /// Why there is no enclosure.
@@ -118,10 +117,7 @@ pub fn enclose(
     let (values, odds) = (values.to_vec(), scene.odds.clone());
     let bounds = Bounds { values, quantity, places, odds, denominator, lower, upper };
     let argument = Argument::Bounds(bounds.clone());
-    let certificate = Certificate { statement: statement.hash(), argument };
-    let checked = check_read_within(statement, &certificate, &mut control.work());
-    let theorem = checked.map_err(|error| control.unless_stopped(refused(error)))?;
-    Ok(Enclosure { bounds, attained, best, certificate, theorem })
+    Ok(Enclosure { bounds, attained, best, proof: Proof::of(statement, argument, control)? })
 }
 
 /// Whether the checker can derive F, W and Wᵉ at all: what it says of a certificate without boxes.
@@ -137,17 +133,20 @@ fn within_limits(
     let values = values.to_vec();
     let (odds, denominator) = ([BigRational::one(), BigRational::one()], vec![false]);
     let bounds = Bounds { values, quantity, places, odds, denominator, lower: end(), upper: end() };
-    let certificate = Certificate { statement: statement.hash(), argument: Argument::Bounds(bounds) };
-    match check_read_within(statement, &certificate, &mut control.work()) {
-        Err(error) if error.limit().is_some() => Err(control.unless_stopped(refused(error))),
-        _ => Ok(()),
+    match Proof::of(statement, Argument::Bounds(bounds), control) {
+        // That one box is not enough is no news.
+        Ok(_) | Err(NoProof::Refused(_)) => Ok(()),
+        Err(why) => Err(why.into()),
     }
 }
 
-fn refused(error: CheckError) -> EnclosureError {
-    match error.limit() {
-        Some(limit) => EnclosureError::Limit(limit.clone()),
-        None => EnclosureError::Refused(error),
+impl From<NoProof> for EnclosureError {
+    fn from(why: NoProof) -> Self {
+        match why {
+            NoProof::Interrupted(why) => EnclosureError::Interrupted(why),
+            NoProof::Limit(limit) => EnclosureError::Limit(limit),
+            NoProof::Refused(error) => EnclosureError::Refused(error),
+        }
     }
 }
 

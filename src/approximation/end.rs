@@ -10,10 +10,11 @@ use super::boxes::Coefficients;
 use super::enclosure::EnclosureError;
 use super::extreme::{Extreme, largest};
 use super::scene::Scene;
+use super::touch::touching;
 use super::tree::{NoTree, Shown, tree};
 use crate::algebra::fixed;
 use crate::algebra::{FieldElement, Integer};
-use crate::certificate::{End, Quantity, Side, Units, spell_decimal};
+use crate::certificate::{End, Quantity, Side, Units, decimal_value, spell_decimal};
 use crate::control::Control;
 
 /// Boxes before an enclosure is given up.
@@ -79,7 +80,7 @@ impl Search<'_> {
                 }
                 Err(near) => {
                     let further = &bound + outwards;
-                    if let Some(at) = self.reaching(&bound, [Some(&at), near.as_ref()])?
+                    if let Some(at) = self.attaining(&bound, &at, near.as_ref())?
                         && let Ok(tree) = self.tree(&further, bits, BOXES)?
                     {
                         return Ok(End { bound: further, at, tree });
@@ -95,6 +96,21 @@ impl Search<'_> {
             bound: spell_decimal(&bound, self.places),
             near: Box::new(self.scene.outer(&at)),
         })
+    }
+
+    /// A point (u, v) where the quantity is the decimal or outside it: near one of these, given by u′ and v′.
+    fn attaining(
+        &self,
+        decimal: &Units,
+        extreme: &[BigRational; 2],
+        near: Option<&[BigRational; 2]>,
+    ) -> Result<Option<[BigRational; 2]>, EnclosureError> {
+        if let Some(at) = self.reaching(decimal, [Some(extreme), near])? {
+            return Ok(Some(at));
+        }
+        let form = self.scene.beyond(self.side, &decimal_value(decimal, self.places));
+        let touching = touching(&form, extreme, self.control)?;
+        self.reaching(decimal, [touching.as_ref(), None])
     }
 
     /// A point (u, v) where the quantity is the decimal or outside it: one of these, given by u′ and v′, or a simple one nearby.

@@ -37,6 +37,21 @@ impl ExactForm {
         ExactForm { field, bidegree, coefficients, numerators, denominator }
     }
 
+    /// ∂/∂u (axis 0) or ∂/∂v (axis 1); `None` where it vanishes for its degree.
+    pub(super) fn derivative(&self, axis: usize) -> Option<Self> {
+        let (m, n) = self.bidegree;
+        let (bidegree, step, degree) = match axis {
+            0 => ((m.checked_sub(1)?, n), n + 1, m),
+            _ => ((m, n.checked_sub(1)?), 1, n),
+        };
+        let factor = self.field.integer(degree as i64);
+        let (rows, columns) = bidegree;
+        let places = itertools::iproduct!(0..=rows, 0..=columns).map(|(i, j)| i * (n + 1) + j);
+        let values = &self.coefficients;
+        let differences = places.map(|k| &(&values[k + step] - &values[k]) * &factor).collect();
+        Some(ExactForm::new(self.field, bidegree, differences))
+    }
+
     /// The value at a point.
     pub(super) fn at(&self, point: &[BigRational; 2]) -> FieldElement {
         let (m, n) = self.bidegree;

@@ -29,6 +29,7 @@ mod scene;
 mod seam;
 mod size;
 mod start;
+mod touch;
 mod tree;
 mod unreachable;
 

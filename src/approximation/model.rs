@@ -10,7 +10,7 @@ use crate::algebra::{MultiquadraticField, Polynomial};
 use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::Quantity;
 use crate::exact;
-use crate::prove::field_of;
+use crate::problem::field_of;
 use crate::statement::{Patch, Statement, Subject};
 
 /// A polynomial in the unknowns: coefficients with (unknown, exponent) pairs.

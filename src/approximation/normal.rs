@@ -17,7 +17,7 @@ use super::linear::least_squares;
 use super::size::{log2, scaled};
 use crate::algebra::{self, FieldElement, MultiquadraticField, polynomial_from_exact};
 use crate::exact::{self, Limit, Polynomial, Work};
-use crate::prove::field_of;
+use crate::problem::field_of;
 use crate::statement::{Patch, Statement, Subject};
 
 /// Units are powers of two to the power of this.

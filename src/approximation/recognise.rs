@@ -12,7 +12,7 @@ use crate::algebra::{
     FieldElement, Integer, MultiquadraticField, Polynomial, polynomial_from_exact, polynomial_to_exact,
 };
 use crate::exact;
-use crate::prove::field_of;
+use crate::problem::field_of;
 use crate::statement::Statement;
 
 /// How near the number must be.

@@ -16,7 +16,7 @@ use crate::bezier::surface_condition_within;
 use crate::certificate::{Quantity, Side, Units, decimal_value};
 use crate::control::Control;
 use crate::exact::Polynomial;
-use crate::prove::field_of;
+use crate::problem::field_of;
 use crate::statement::{Patch, Statement};
 
 /// Bits of the numbers in 1/W at the first corner, beyond which only its size is divided out.

@@ -7,7 +7,7 @@ use super::normal::rounded;
 use super::size::scaled;
 use crate::algebra::polynomial_from_exact;
 use crate::exact::Polynomial;
-use crate::prove::field_of;
+use crate::problem::field_of;
 use crate::statement::Statement;
 
 /// Samples along an edge.

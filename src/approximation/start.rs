@@ -84,8 +84,10 @@ fn descent(model: &Model, from: &[f64], control: &Control) -> Result<Option<(f64
     let near = near.map_err(|why| Stopped { why, best: None })?;
     let Some(from) = [&near[..], from].into_iter().find(|from| positive(from)) else { return Ok(None) };
     let found = bottom(model, from, COARSE, QUICK, control)?;
+    // Where the sum does not depend on some unknowns, such as a common factor of all weights, they may drift away.
+    let found = if positive(&found) { found } else { from.to_vec() };
     let sum = graded(model, &found);
-    Ok((positive(&found) && sum.is_finite()).then_some((sum, found)))
+    Ok(sum.is_finite().then_some((sum, found)))
 }
 
 /// The sum of squares of F/Wᵉ over a grid that becomes finer towards the edges: where a weight is very large, the patch is near a

@@ -19,13 +19,12 @@ use super::normal::{Normal, power as power_of_two};
 use super::progress::Progress;
 use crate::algebra::Integer;
 use crate::bezier::{BernsteinForm, surface_condition};
-use crate::certificate::{
-    Argument, Certificate, Odds, Quantity, Region as Node, Side, Units, Unreachable, decimal_value,
-};
-use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::certificate::{Argument, Odds, Quantity, Region as Node, Side, Units, Unreachable, decimal_value};
+use crate::checker::{CheckError, Rejection, UnreachableRejection};
 use crate::control::{Control, Interrupted};
 use crate::exact::{self, Limit, Work};
-use crate::prove::field_of;
+use crate::problem::field_of;
+use crate::proof::{NoProof, Proof};
 use crate::statement::{Patch, Statement};
 
 /// What the first chart reaches.
@@ -57,9 +56,30 @@ pub enum UnreachableError {
     /// A limit of the format.
     #[error("{0}")]
     Limit(#[from] Limit),
+    /// A box that was excluded in floating point.
+    #[error("chart {chart}: box {node} of the tree is excluded in floating point, but not exactly")]
+    Inexact {
+        /// The chart, from 1.
+        chart: usize,
+        /// The box, in preorder, from 1.
+        node: usize,
+    },
     /// The checker refused.
     #[error("the independent checker refused the argument: {0}")]
     Refused(CheckError),
+}
+
+impl From<NoProof> for UnreachableError {
+    fn from(why: NoProof) -> Self {
+        match why {
+            NoProof::Interrupted(why) => UnreachableError::Interrupted(why),
+            NoProof::Limit(limit) => UnreachableError::Limit(limit),
+            NoProof::Refused(CheckError::Rejected(Rejection::Unreachable(
+                UnreachableRejection::NotExcluded { chart, node },
+            ))) => UnreachableError::Inexact { chart, node },
+            NoProof::Refused(error) => UnreachableError::Refused(error),
+        }
+    }
 }
 
 /// An argument that no values of the unknowns reach further, accepted by the checker.
@@ -69,10 +89,8 @@ pub struct Barrier {
     pub boxes: usize,
     /// Half of what lies between the decimals that no values stay between.
     pub half_width: BigRational,
-    /// The certificate.
-    pub certificate: Certificate,
-    /// What the checker made of it.
-    pub theorem: Theorem,
+    /// What the checker has accepted.
+    pub proof: Proof,
 }
 
 /// Proves that no values of the unknowns keep the quantity strictly between two decimals with the given places.
@@ -117,13 +135,8 @@ pub fn exclude(
         samples,
         charts,
     };
-    let certificate = Certificate { statement: statement.hash(), argument: Argument::Unreachable(argument) };
-    let checked = check_read_within(statement, &certificate, &mut control.work());
-    let theorem = checked.map_err(|error| match error.limit() {
-        Some(limit) => control.unless_stopped(UnreachableError::Limit(limit.clone())),
-        None => UnreachableError::Refused(error),
-    })?;
-    Ok(Barrier { boxes, half_width, certificate, theorem })
+    let proof = Proof::of(statement, Argument::Unreachable(argument), control)?;
+    Ok(Barrier { boxes, half_width, proof })
 }
 
 /// Powers of two that the sides are measured in, so that none is lost beside another: F and Wᵉ, and W.

@@ -2,8 +2,9 @@
 
 use crate::control::Control;
 use crate::exact::Polynomial;
-use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_within};
+use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_of};
 use crate::listing::Symbol;
+use crate::problem::Problem;
 use crate::statement::{Statement, Subject};
 
 /// A coefficient of the surface condition, or an equation of a system.
@@ -41,7 +42,8 @@ impl Targets {
         basis: Basis,
         control: &Control,
     ) -> Result<Self, ExpansionError> {
-        let of = |basis| coefficients_within(statement, basis, control).map(Option::unwrap_or_default);
+        let problem = Problem::of(statement, control);
+        let of = |basis| coefficients_of(&problem, basis, control).map(Option::unwrap_or_default);
         let (monomial, bernstein) = (of(Basis::Monomial)?, of(Basis::Bernstein)?);
         let equations = match statement.subject() {
             Subject::System(polynomials) => polynomials.clone(),

@@ -6,9 +6,9 @@ use super::files::{sealed_name, write_and_check};
 use super::outcome::{Ended, Format, Outcome};
 use super::source::find;
 use crate::approximation::Search;
-use crate::certificate::Certificate;
 use crate::commands::{self, Best, Failure, sensible};
 use crate::control::Control;
+use crate::proof::Proof;
 use crate::report::pages::{Approximating, about};
 
 pub(super) fn run(options: &ApproximateOptions, format: Format) -> Result<Outcome, Failure> {
@@ -30,17 +30,16 @@ fn carried_out(options: &ApproximateOptions, format: Format, control: &Control) 
     let approximated = &commands::approximate(source, search, options.prove_best, control)?;
     // What was found is written and checked even where the time is over.
     let (source, unhurried) = (&approximated.source, &Control::default());
-    let write = |kind: &str, certificate: &Certificate| {
-        let text = certificate.write(&source.statement.ring());
-        let name = sealed_name(kind, &text);
-        write_and_check(source, options.output.as_deref(), (&text, &name), unhurried)
+    let write = |kind: &str, proof: &Proof| {
+        let name = sealed_name(kind, proof.text());
+        write_and_check(source, options.output.as_deref(), (proof.text(), &name), unhurried)
     };
     let enclosure = &approximated.found.enclosure;
-    let files = write("bounds", &enclosure.certificate)?;
+    let files = write("bounds", &enclosure.proof)?;
     let picture = options.plot.draw(source, enclosure, Some(&about(approximated)), unhurried)?;
     let barrier = match &approximated.best {
-        Best::Proved(barrier, _) => Some(write("unreachable", &barrier.certificate)?),
-        Best::NotAsked | Best::Open(_) => None,
+        Best::Proved(barrier, _) => Some(write("unreachable", &barrier.proof)?),
+        Best::NotAsked | Best::Zero | Best::Open(_) => None,
     };
     Ok(Outcome::of(&Approximating { approximated, files, barrier, picture }, format)?)
 }

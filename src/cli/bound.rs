@@ -22,9 +22,9 @@ fn carried_out(options: &BoundOptions, format: Format, control: &Control) -> Res
     let (places, claim) = (options.tolerance, options.claim.clone());
     let bounded = &commands::bound(commands::Bounding { source, values, places, claim }, control)?;
     let (source, enclosure) = (&bounded.source, &bounded.enclosure);
-    let certificate = enclosure.certificate.write(&source.statement.ring());
-    let name = sealed_name("bounds", &certificate);
-    let files = write_and_check(source, options.output.as_deref(), (&certificate, &name), control)?;
+    let certificate = enclosure.proof.text();
+    let name = sealed_name("bounds", certificate);
+    let files = write_and_check(source, options.output.as_deref(), (certificate, &name), control)?;
     let picture = options.plot.draw(source, enclosure, None, control)?;
     Ok(Outcome::of(&pages::Bounding { bounded, files, picture }, format)?)
 }

@@ -44,12 +44,10 @@ pub(super) fn write(
     (name, made): (&str, &Construction),
     control: &Control,
 ) -> Result<Vec<Files>, Ended> {
-    let ring = made.statement.ring();
-    let exact = made.exact.0.write(&ring);
-    let mut files = vec![write_pair(directory, (name, &made.text), (&exact, "certificate.txt"), control)?];
-    if let Ok((certificate, _)) = &made.cover {
-        let cover = certificate.write(&ring);
-        files.push(write_pair(directory, (name, &made.text), (&cover, "cover.txt"), control)?);
+    let statement = (name, made.text.as_str());
+    let mut files = vec![write_pair(directory, statement, (made.exact.text(), "certificate.txt"), control)?];
+    if let Ok(cover) = &made.cover {
+        files.push(write_pair(directory, statement, (cover.text(), "cover.txt"), control)?);
     }
     Ok(files)
 }

@@ -26,8 +26,7 @@ fn carried_out(options: &DegreesOptions, format: Format, control: &Control) -> R
     let directory = directory.unwrap_or_else(|| Path::new("proofs").join(format!("degrees-{name}")));
     let degrees = &commands::degrees(shape, options.up_to, control)?;
     let closing = degrees.closing.as_ref().map(|closing| {
-        let certificate = closing.certificate.write(&closing.statement.ring());
-        let files = (certificate.as_str(), "certificate.txt");
+        let files = (closing.refutation.text(), "certificate.txt");
         write_pair(&directory.join("closing"), (&name, &closing.text), files, control)
     });
     let closing = closing.transpose()?;

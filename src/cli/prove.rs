@@ -29,9 +29,8 @@ fn carried_out(
 ) -> Result<Outcome, Ended> {
     let proved = &commands::prove(find(called, control)?, options.extend, control)?;
     let files = match &proved.attempt {
-        Attempt::Proved { certificate, .. } => {
-            let text = certificate.write(&proved.source.statement.ring());
-            let certificate = (text.as_str(), "certificate.txt");
+        Attempt::Proved { proof, .. } => {
+            let certificate = (proof.text(), "certificate.txt");
             Some(write_and_check(&proved.source, options.output.as_deref(), certificate, control)?)
         }
         Attempt::Undecided(_) => None,

@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::{Signed, Zero};
 
 use super::bound::{degree_of, unenclosed};
 use super::{Failure, NoAnswer, Source, Undecided, Verdict};
@@ -16,6 +16,8 @@ use crate::control::Control;
 const WITHIN: f64 = 1e-6;
 /// Places of the bounds that no values reach: relative to the error, this many digits.
 const DIGITS: u32 = 9;
+/// Decimal places of an error, at most.
+const PLACES: f64 = 80.0;
 
 /// Values that were found.
 #[derive(Debug)]
@@ -37,6 +39,8 @@ pub struct Approximated {
 pub enum Best {
     /// It was not asked for.
     NotAsked,
+    /// The largest deviation is 0, and nothing is less.
+    Zero,
     /// It is proved, up to the gap.
     Proved(Box<Barrier>, Gap),
     /// It is not proved, and why.
@@ -84,14 +88,17 @@ pub fn approximate(
     let degree = degree_of(&source.statement)?;
     let found = match approximation::approximate(&source.statement, &search, control) {
         Ok(found) => found,
-        Err(ApproximationError::Enclosure(error)) => return Err(unenclosed(&source.name, error)),
+        Err(ApproximationError::Enclosure(error)) => return Err(unenclosed(&source, error)),
         Err(ApproximationError::Interrupted(why, best)) => {
             let best = best.map(|best| (source.statement.clone(), best));
             return Err(Undecided { best, ..Undecided::stopped(&source.name, why) }.into());
         }
         Err(error) => return Err(Failure::about(&source.name, error).into()),
     };
-    let best = match prove_best.then(|| barrier(&source, &found, control)) {
+    // Nothing is less than 0.
+    let zero = search.objective == Objective::Minimax && reached(&found).is_zero();
+    let best = match (prove_best && !zero).then(|| barrier(&source, &found, control)) {
+        None if zero => Best::Zero,
         None => Best::NotAsked,
         Some(Ok(barrier)) => {
             let gap = Gap { reached: reached(&found), unreached: barrier.half_width.clone() };
@@ -110,9 +117,11 @@ fn reached(found: &Approximation) -> BigRational {
 /// Bounds a millionth tighter than what was found, which no values reach.
 fn barrier(source: &Source, found: &Approximation, control: &Control) -> Result<Barrier, UnreachableError> {
     let error = found.extremes.iter().map(|place| place.value.abs()).fold(0.0, f64::max);
-    let places = (-error.log10()).ceil().max(0.0) as u32 + DIGITS;
+    // What is far below the last digit of a double is not told apart from 0 here.
+    let places = (-error.max(f64::MIN_POSITIVE).log10()).ceil().clamp(0.0, PLACES) as u32 + DIGITS;
     let unit = BigInt::from(10).pow(places);
-    let size = BigInt::from((error * (1.0 - WITHIN) * unit.to_f64().unwrap_or(f64::INFINITY)) as i128);
+    let size = BigRational::from_float(error * (1.0 - WITHIN)).unwrap_or_else(BigRational::zero);
+    let size = (size * &unit).to_integer();
     let centre = match found.enclosure.bounds.quantity {
         Quantity::Radius => unit,
         Quantity::Ratio => BigInt::ZERO,

@@ -54,8 +54,8 @@ impl Bounded {
 pub fn bound(request: Bounding, control: &Control) -> Result<Bounded, NoAnswer> {
     let Bounding { source, values, places, claim } = request;
     let degree = degree_of(&source.statement)?;
-    let enclosure = enclose(&source.statement, &values, places, control)
-        .map_err(|error| unenclosed(&source.name, error))?;
+    let enclosure =
+        enclose(&source.statement, &values, places, control).map_err(|error| unenclosed(&source, error))?;
     let claim = claim.map(|printed| {
         let verdicts = judge(&source.statement, &enclosure, &printed).map_err(Failure::of)?;
         Ok::<_, Failure>((printed, verdicts))
@@ -75,13 +75,15 @@ pub fn degree_of(statement: &Statement) -> Result<u32, Failure> {
 }
 
 /// What a search that ended without an enclosure comes to.
-pub(super) fn unenclosed(name: &str, error: EnclosureError) -> NoAnswer {
+pub(super) fn unenclosed(source: &Source, error: EnclosureError) -> NoAnswer {
+    let name = &source.name;
+    let undecided = |undecided| Undecided { patch: Some(source.statement.clone()), ..undecided }.into();
     match error {
-        EnclosureError::Interrupted(why) => Undecided::stopped(name, why).into(),
+        EnclosureError::Interrupted(why) => undecided(Undecided::stopped(name, why)),
         EnclosureError::TooFine(_)
         | EnclosureError::NearZero(_)
         | EnclosureError::Unsettled { .. }
-        | EnclosureError::Limit(_) => Undecided::new(name, error.to_string()).into(),
+        | EnclosureError::Limit(_) => undecided(Undecided::new(name, error.to_string())),
         error => Failure::about(name, error).into(),
     }
 }

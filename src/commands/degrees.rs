@@ -2,12 +2,12 @@
 
 use super::construct::refused;
 use super::{NoAnswer, Shape};
-use crate::certificate::Certificate;
-use crate::checker::{CheckError, check_read_within};
+use crate::checker::CheckError;
 use crate::construction::{
-    Cell, Construction, Phase, Refusal, classify, closing_certificate, closing_statement, construct,
+    Cell, Construction, Phase, Refusal, classify, closing_argument, closing_statement, construct,
 };
 use crate::control::Control;
+use crate::proof::Proof;
 use crate::statement::Statement;
 
 /// The bidegrees from which degrees are raised.
@@ -33,10 +33,8 @@ pub struct Degrees {
 pub struct Closing {
     /// The text of the statement.
     pub text: String,
-    /// The statement.
-    pub statement: Statement,
     /// The refutation.
-    pub certificate: Certificate,
+    pub refutation: Proof,
 }
 
 /// Classifies the bidegrees, and makes what backs the classification.
@@ -69,9 +67,6 @@ fn closing(shape: &Shape, control: &Control) -> Result<Closing, Refusal> {
     let title = format!("Closing condition of the quadrilateral {}", shape.name);
     let text = closing_statement(&shape.polygon, &title);
     let statement = Statement::read(&text).map_err(CheckError::from)?;
-    let certificate = closing_certificate(&shape.polygon, &statement).map_err(Refusal::Limit)?;
-    let certificate = certificate.ok_or(Refusal::NoneFound)?;
-    check_read_within(&statement, &certificate, &mut control.work())
-        .map_err(|error| control.unless_stopped(Refusal::from(error)))?;
-    Ok(Closing { text, statement, certificate })
+    let argument = closing_argument(&shape.polygon).map_err(Refusal::Limit)?.ok_or(Refusal::NoneFound)?;
+    Ok(Closing { text, refutation: Proof::of(&statement, argument, control)? })
 }

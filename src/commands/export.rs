@@ -102,7 +102,7 @@ fn given(
 /// The certificate that is found for the statement, or that none was.
 fn found(source: &Source, control: &Control) -> Result<Certificate, NoAnswer> {
     Err(match prove(&source.statement, control).map_err(Failure::of)? {
-        Attempt::Proved { certificate, .. } => return Ok(certificate),
+        Attempt::Proved { proof, .. } => return Ok(proof.certificate().clone()),
         Attempt::Undecided(Reason::Elimination(elimination::Undecided::Interrupted(why))) => {
             Undecided::stopped(&source.name, why).into()
         }

@@ -67,6 +67,8 @@ pub struct Undecided {
     pub named: bool,
     /// What stopped the work, if it was stopped.
     pub stopped: Option<Interrupted>,
+    /// The patch whose surface is told.
+    pub patch: Option<Statement>,
     /// The bidegree, where one was asked for.
     pub bidegree: Option<(u32, u32)>,
     /// The best values of the unknowns so far; nothing is proved of them.
@@ -81,6 +83,7 @@ impl Undecided {
             reason: reason.into(),
             named: true,
             stopped: None,
+            patch: None,
             bidegree: None,
             best: None,
         }

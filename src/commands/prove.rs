@@ -3,13 +3,16 @@
 use super::{Failure, Source, Verdict};
 use crate::checker::Claim;
 use crate::control::Control;
-use crate::prove::{Attempt, Reason};
+use crate::problem::Problem;
+use crate::prove::{Attempt, Reason, solve};
 
 /// What came of a statement.
 #[derive(Debug)]
 pub struct Proved {
     /// The statement, over a larger field if it was extended.
     pub source: Source,
+    /// The same, expanded.
+    pub problem: Problem,
     /// What came of it; its certificate is accepted by the checker.
     pub attempt: Attempt,
     /// Whether radicands were added.
@@ -21,7 +24,7 @@ impl Proved {
     pub fn verdict(&self) -> Verdict {
         match &self.attempt {
             Attempt::Undecided(_) => Verdict::Undecided,
-            Attempt::Proved { theorem, .. } => match theorem.claim() {
+            Attempt::Proved { proof, .. } => match proof.theorem().claim() {
                 Claim::Impossible(_) => Verdict::Impossible,
                 _ => Verdict::Exact,
             },
@@ -36,11 +39,12 @@ impl Proved {
 pub fn prove(mut source: Source, extend: bool, control: &Control) -> Result<Proved, Failure> {
     let mut extended = false;
     loop {
-        let attempt = crate::prove::prove(&source.statement, control).map_err(Failure::of)?;
+        let problem = Problem::of(&source.statement, control);
+        let attempt = solve(&problem, control).map_err(Failure::of)?;
         match extension_of(&attempt).filter(|_| extend) {
             // Each time the field grows, and four radicands are the limit.
             Some(radicands) => source = source.with_radicands(radicands)?,
-            None => return Ok(Proved { source, attempt, extended }),
+            None => return Ok(Proved { source, problem, attempt, extended }),
         }
         extended = true;
     }

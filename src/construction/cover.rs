@@ -6,11 +6,12 @@ use num_traits::ToPrimitive;
 use crate::algebra::{FieldElement, Integer, Polynomial};
 use crate::approximation::{NoTree, positive_tree};
 use crate::bezier::BernsteinForm;
-use crate::certificate::{Argument, Certificate, Cover, EdgeTree, Tree};
-use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::certificate::{Argument, Cover, EdgeTree, Tree};
+use crate::checker::CheckError;
 use crate::control::{Control, Interrupted};
 use crate::exact::Limit;
 use crate::geometry::{Point, Vector, dot};
+use crate::proof::{NoProof, Proof};
 use crate::statement::Statement;
 
 /// Boxes before a net is given up.
@@ -53,11 +54,7 @@ pub enum CoverError {
 ///
 /// # Errors
 /// [`CoverError`]
-pub fn cover(
-    statement: &Statement,
-    net: &[Vec<Point>],
-    control: &Control,
-) -> Result<(Certificate, Theorem), CoverError> {
+pub fn cover(statement: &Statement, net: &[Vec<Point>], control: &Control) -> Result<Proof, CoverError> {
     let (m, n) = (net.len() - 1, net[0].len() - 1);
     let weights: Vec<FieldElement> = net.iter().flatten().map(|[.., weight]| weight.clone()).collect();
     let denominator = positive("the denominator W", (m, n), weights, control)?;
@@ -97,13 +94,16 @@ pub fn cover(
     }
     let regular = positive("the Jacobian determinant", bidegree, values, control)?;
     let argument = Argument::Cover(Cover { values: vec![], denominator, edges, inward, regular });
-    let certificate = Certificate { statement: statement.hash(), argument };
-    match check_read_within(statement, &certificate, &mut control.work()) {
-        Ok(theorem) => Ok((certificate, theorem)),
-        Err(error) => Err(match error.limit() {
-            Some(limit) => control.unless_stopped(CoverError::Limit(limit.clone())),
-            None => CoverError::Refused(error),
-        }),
+    Ok(Proof::of(statement, argument, control)?)
+}
+
+impl From<NoProof> for CoverError {
+    fn from(why: NoProof) -> Self {
+        match why {
+            NoProof::Interrupted(why) => CoverError::Interrupted(why),
+            NoProof::Limit(limit) => CoverError::Limit(limit),
+            NoProof::Refused(error) => CoverError::Refused(error),
+        }
     }
 }
 

@@ -7,13 +7,14 @@ use super::degree::{Cell, Phase, classify};
 use crate::algebra::{FieldElement, Integer, Sign};
 use crate::bezier::RationalArc;
 use crate::catalogue::{net_statement, normalised};
-use crate::certificate::{Argument, Certificate};
-use crate::checker::{CheckError, Theorem, check_read_within};
+use crate::certificate::Argument;
+use crate::checker::CheckError;
 use crate::control::{Control, Interrupted};
 use crate::exact::Limit;
 use crate::geometry::{
     Moduli, Point, Polygon, SpinorForm, Split, Vector, biquartic, quadrilateral, triangle, without_phase,
 };
+use crate::proof::{NoProof, Proof};
 use crate::statement::Statement;
 
 /// An exact patch.
@@ -30,9 +31,9 @@ pub struct Construction {
     /// The statement.
     pub statement: Statement,
     /// That it lies on the sphere.
-    pub exact: (Certificate, Theorem),
+    pub exact: Proof,
     /// That it covers the polygon, or why that is not shown.
-    pub cover: Result<(Certificate, Theorem), CoverError>,
+    pub cover: Result<Proof, CoverError>,
 }
 
 /// The construction that an exact patch comes from, before its degrees were raised.
@@ -77,6 +78,16 @@ pub enum Refusal {
     /// The checker refused: a defect of this program.
     #[error("the independent checker refused the net: {0}")]
     Refused(CheckError),
+}
+
+impl From<NoProof> for Refusal {
+    fn from(why: NoProof) -> Self {
+        match why {
+            NoProof::Interrupted(why) => Refusal::Interrupted(why),
+            NoProof::Limit(limit) => Refusal::Limit(limit),
+            NoProof::Refused(error) => Refusal::Refused(error),
+        }
+    }
 }
 
 impl From<CheckError> for Refusal {
@@ -218,14 +229,12 @@ fn finish(
     let (m, n) = bidegree;
     let text = net_statement(&format!("{title}, bidegree ({m},{n}), exact"), remark, &net);
     let statement = Statement::read(&text).map_err(CheckError::from)?;
-    let certificate = Certificate { statement: statement.hash(), argument: Argument::Exact(vec![]) };
-    let checked = check_read_within(&statement, &certificate, &mut control.work());
-    let theorem = checked.map_err(|error| control.unless_stopped(Refusal::from(error)))?;
+    let exact = Proof::of(&statement, Argument::Exact(vec![]), control)?;
     let cover = match cover(&statement, &net, control) {
         Err(CoverError::Interrupted(why)) => return Err(Refusal::Interrupted(why)),
         other => other,
     };
-    Ok(Construction { net, placed, how, text, statement, exact: (certificate, theorem), cover })
+    Ok(Construction { net, placed, how, text, statement, exact, cover })
 }
 
 /// The number at the centre with which a net of bidegree (4,4) is the symmetric patch of the polygon between its corners.

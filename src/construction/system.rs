@@ -5,10 +5,9 @@
 //! Π|c_k|²·Im Z = 0.
 
 use crate::algebra::{FieldElement, Polynomial, polynomial_to_exact, spell};
-use crate::certificate::{Argument, Certificate, Premise, Step};
+use crate::certificate::{Argument, Premise, Step};
 use crate::exact::Limit;
 use crate::geometry::{Complex, Polygon};
-use crate::statement::Statement;
 
 /// a_k, b_k with c_k = a_k + i·b_k.
 const UNKNOWNS: [&str; 8] = ["a1", "b1", "a2", "b2", "a3", "b3", "a4", "b4"];
@@ -66,7 +65,7 @@ impl Parts {
 ///
 /// # Errors
 /// Where the numbers exceed what the format allows.
-pub fn closing_certificate(polygon: &Polygon, statement: &Statement) -> Result<Option<Certificate>, Limit> {
+pub fn closing_argument(polygon: &Polygon) -> Result<Option<Argument>, Limit> {
     let Some(inverse) = polygon.holonomy().im.inverse() else { return Ok(None) };
     let field = polygon.field();
     let spinors = polygon.spinors();
@@ -120,7 +119,7 @@ pub fn closing_certificate(polygon: &Polygon, statement: &Statement) -> Result<O
         (Premise::Step(3), t(0).multiply(&t(2))),
     ];
     step(last, one())?;
-    Ok(Some(Certificate { statement: statement.hash(), argument: Argument::Impossible(steps) }))
+    Ok(Some(Argument::Impossible(steps)))
 }
 
 /// Values of the unknowns that solve the system of a quadrilateral whose Z is real.

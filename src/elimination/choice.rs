@@ -37,7 +37,18 @@ pub struct Tried {
     /// Choices for which the rest was solved.
     pub choices: usize,
     /// The first choice that leaves finitely many zeros, none of them in K.
-    pub isolated: Option<(System, Closure)>,
+    pub isolated: Option<Isolated>,
+}
+
+/// A system that a choice of values has left with finitely many zeros.
+#[derive(Debug, Clone)]
+pub struct Isolated {
+    /// What was chosen, in the order of choice.
+    pub chosen: Vec<(u16, FieldElement)>,
+    /// The system with these values.
+    pub system: System,
+    /// What it is equivalent to.
+    pub closure: Closure,
 }
 
 /// Zeros of a system that has infinitely many: to the variables in `order`, those that are not determined, values are
@@ -88,7 +99,7 @@ pub fn choose(
             Outcome::Open(Undecided::Consistent(closure)) if closure.dimension == 0 => {
                 let zeros = points_in_field(&smaller, &closure, control)?;
                 if zeros.is_empty() && tried.isolated.is_none() {
-                    tried.isolated = Some((smaller, closure));
+                    tried.isolated = Some(Isolated { chosen: chosen.clone(), system: smaller, closure });
                 }
                 zeros
             }

@@ -29,7 +29,7 @@ mod sparsify;
 mod strategy;
 mod system;
 
-pub use choice::{ChosenZero, Tried, VALUES, choose};
+pub use choice::{ChosenZero, Isolated, Tried, VALUES, choose};
 pub use closure::{Closure, Eliminant};
 pub use derivation::{Derivation, NamedStep, Source};
 pub use echelon::{Combination, Dependence, Echelon, Inserted, SparseRow};

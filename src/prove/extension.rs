@@ -1,10 +1,10 @@
 //! A zero over a larger field Q(√p₁, …, √pₖ), where the field of the statement has none.
 
-use super::field_of;
 use crate::algebra::{FieldElement, MultiquadraticField, Univariate, polynomial_from_exact};
 use crate::control::{Control, Interrupted};
 use crate::elimination::{Closure, Eliminant, System, zeros_in_field};
 use crate::exact::limits;
+use crate::problem::field_of;
 use crate::statement::{Statement, Subject};
 
 /// Radicands that are tried for eliminants of degree 3 and more.
@@ -17,6 +17,8 @@ pub struct Extension {
     pub radicands: Vec<u32>,
     /// For coordinates that have no value in the smaller field: their values in the larger one, by unknown.
     pub values: Vec<(usize, Vec<FieldElement>)>,
+    /// Where there are infinitely many zeros, the values that were chosen first, by unknown.
+    pub chosen: Vec<(usize, FieldElement)>,
 }
 
 /// Looks for a larger field in which the system, with finitely many zeros and none in K, has one.
@@ -65,7 +67,7 @@ fn within(
                 values.push((unknown, of_unknown));
             }
         }
-        return Ok(Some(Extension { radicands: larger.radicands().to_vec(), values }));
+        return Ok(Some(Extension { radicands: larger.radicands().to_vec(), values, chosen: Vec::new() }));
     }
     match closure {
         Some(closure) => find(statement, &lifted, &closure, control),

@@ -2,13 +2,15 @@
 
 use std::ops::ControlFlow;
 
-use super::{Attempt, Consistent, NoAnswer, Reason, checked, field_of, interrupted};
+use super::{Attempt, Consistent, NoAnswer, Reason, checked, interrupted};
 use crate::algebra::{FieldElement, Polynomial, polynomial_from_exact, polynomial_to_exact};
 use crate::bezier::{Image, image};
 use crate::certificate::Argument;
 use crate::checker::{CheckError, Claim, ExactNet, ExactRejection, Rejection};
 use crate::control::Control;
 use crate::elimination::{ChosenZero, Closure, System, Tried, choose};
+use crate::problem::field_of;
+use crate::proof::NoProof;
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
 /// What was free where there are infinitely many zeros.
@@ -35,9 +37,9 @@ pub fn image_of(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Image {
 /// How good a certified zero is: a surface before a curve, a curve before a point, and all weights positive.
 fn rank(attempt: &Attempt) -> (Image, bool) {
     match attempt {
-        Attempt::Proved { theorem, .. } => match theorem.claim() {
+        Attempt::Proved { proof, .. } => match proof.theorem().claim() {
             Claim::Exact(ExactNet { net, weights_positive, .. }) => {
-                (image_of(theorem.statement(), net), *weights_positive)
+                (image_of(proof.theorem().statement(), net), *weights_positive)
             }
             _ => BEST,
         },
@@ -52,6 +54,8 @@ const BEST: (Image, bool) = (Image::Surface, true);
 pub(super) struct Best {
     found: Option<((Image, bool), Attempt)>,
     failure: Option<NoAnswer>,
+    /// How many zeros make the denominator vanish identically.
+    pub(super) without_patch: usize,
 }
 
 impl Best {
@@ -74,7 +78,10 @@ impl Best {
                 }
                 if rank == BEST { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             }
-            Ok(None) => ControlFlow::Continue(()),
+            Ok(None) => {
+                self.without_patch += 1;
+                ControlFlow::Continue(())
+            }
             // Another zero may be shorter.
             Err(limit @ NoAnswer::Limit(_)) => {
                 self.failure = self.failure.take().or(Some(limit));
@@ -107,7 +114,9 @@ fn certified(
     let values = constants.map(|value| polynomial_to_exact(&value)).collect::<Result<_, _>>()?;
     match checked(statement, Argument::Exact(values), control) {
         Ok(attempt) => Ok(Some(attempt)),
-        Err(CheckError::Rejected(Rejection::Exact(ExactRejection::NoDenominator))) => Ok(None),
+        Err(NoProof::Refused(CheckError::Rejected(Rejection::Exact(ExactRejection::NoDenominator)))) => {
+            Ok(None)
+        }
         Err(refused) => Err(refused.into()),
     }
 }
@@ -135,11 +144,12 @@ pub(super) fn one_of_many(
         let freedom = freedom(&zero);
         best.consider(statement, zero.zero, &freedom, control)
     });
+    let without_patch = best.without_patch;
     // What was certified before an interruption stays certified.
     match (best.take()?, tried) {
         (Some(attempt), _) => Ok(attempt),
         (None, Err(why)) => Ok(interrupted(why)),
-        (None, Ok(tried)) => Ok(undecided(statement, system, closure, Some(tried), control)),
+        (None, Ok(tried)) => Ok(undecided(statement, system, (closure, without_patch), Some(tried), control)),
     }
 }
 
@@ -161,14 +171,18 @@ fn weights_first(statement: &Statement) -> Vec<u16> {
 pub(super) fn undecided(
     statement: &Statement,
     system: &System,
-    mut closure: Closure,
+    (mut closure, without_patch): (Closure, usize),
     tried: Option<Tried>,
     control: &Control,
 ) -> Attempt {
     let isolated = tried.as_ref().and_then(|tried| tried.isolated.as_ref());
-    let (of, its_closure) = isolated.map_or((system, &closure), |(system, closure)| (system, closure));
+    let (of, its_closure) = isolated.map_or((system, &closure), |found| (&found.system, &found.closure));
     // Optional: that it was interrupted takes nothing from what is known.
-    let extension = super::extension::find(statement, of, its_closure, control).ok().flatten();
+    let mut extension = super::extension::find(statement, of, its_closure, control).ok().flatten();
+    if let (Some(extension), Some(isolated)) = (&mut extension, isolated) {
+        let chosen = isolated.chosen.iter().map(|(unknown, value)| (usize::from(*unknown), value.clone()));
+        extension.chosen = chosen.collect();
+    }
     closure.count_real_roots(control);
-    Attempt::Undecided(Reason::Consistent(Box::new(Consistent { closure, tried, extension })))
+    Attempt::Undecided(Reason::Consistent(Box::new(Consistent { closure, without_patch, tried, extension })))
 }

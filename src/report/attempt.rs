@@ -12,8 +12,8 @@ use crate::checker::Claim;
 use crate::control::Control;
 use crate::exact::Limit;
 use crate::expand::ExpansionError;
+use crate::problem::Problem;
 use crate::prove::Attempt;
-use crate::statement::Statement;
 
 /// Characters of a formula on one line.
 pub(super) const LINE: usize = 110;
@@ -34,12 +34,13 @@ pub struct Files {
 /// Where a coefficient exceeds what the formats allow.
 pub(super) fn describe(
     (name, source): (&str, &str),
-    statement: &Statement,
+    problem: &Problem,
     cap: bool,
     attempt: &Attempt,
     files: Option<&Files>,
     control: &Control,
 ) -> Result<String, Limit> {
+    let statement = problem.statement();
     let mut text = String::new();
     match attempt {
         Attempt::Undecided(reason) => {
@@ -49,11 +50,12 @@ pub(super) fn describe(
             let _ = writeln!(text, "{}\n{surface}", statement.title());
             text += &reason_text(statement, reason)?;
         }
-        Attempt::Proved { certificate, theorem, freedom } => {
+        Attempt::Proved { proof, freedom } => {
+            let theorem = proof.theorem();
             let _ = writeln!(text, "{}\n", proved(name, source, theorem));
             let _ = writeln!(text, "{}\n", statement.title());
             let explained = match theorem.claim() {
-                Claim::Impossible(_) => refutation(statement, cap, certificate, control),
+                Claim::Impossible(_) => refutation(problem, cap, proof.certificate(), control),
                 _ => Ok(solution(statement, theorem, freedom)),
             };
             text += &match explained {
@@ -64,11 +66,11 @@ pub(super) fn describe(
             };
         }
     }
-    if let (Attempt::Proved { theorem, .. }, Some(files)) = (attempt, files) {
+    if let (Attempt::Proved { proof, .. }, Some(files)) = (attempt, files) {
         let _ = writeln!(
             text,
             "Verdict of the independent checker, on the files below\n{}\n",
-            wrapped(&format!("VERIFIED. {}", theorem.sentence()))
+            wrapped(&format!("VERIFIED. {}", proof.theorem().sentence()))
         );
         let _ = writeln!(text, "Statement    {}", files.statement.display());
         let _ = writeln!(text, "Certificate  {}", files.certificate.display());

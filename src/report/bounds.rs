@@ -134,7 +134,7 @@ fn squares(bounds: &Bounds) -> [String; 2] {
 pub fn verdict_text(verdicts: &[EndVerdict], symbol: &str) -> String {
     let mut text = String::new();
     for EndVerdict { printed, relation, finding } in verdicts {
-        let claim = format!("{symbol} {relation} {printed}");
+        let claim = format!("{symbol} {relation} {}", printed.replace('-', "−"));
         let _ = match finding {
             Finding::Bound => writeln!(text, "   {claim}   holds on the whole patch"),
             Finding::Rounded => writeln!(text, "   {claim}   holds on the whole patch to the digits printed"),
@@ -261,7 +261,7 @@ pub(super) fn enclosure_data(
             lower: count(&bounds.lower.tree),
             upper: count(&bounds.upper.tree),
         },
-        theorem: enclosure.theorem.sentence(),
+        theorem: enclosure.proof.theorem().sentence(),
         certificate: files.certificate.display().to_string(),
         note,
     }

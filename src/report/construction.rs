@@ -76,10 +76,10 @@ pub(super) fn constructed_text(
     let word = Verdict::Exact;
     let mut text = String::new();
     let _ = match &made.cover {
-        Ok((_, theorem)) => writeln!(
+        Ok(proof) => writeln!(
             text,
             "{word}  {name}: a patch of bidegree ({m},{n}) on the unit sphere covers the polygon{}\n",
-            how_covered(theorem)
+            how_covered(proof.theorem())
         ),
         Err(why) => writeln!(
             text,
@@ -107,7 +107,7 @@ pub(super) fn constructed_text(
     text += &net_text(&numbers, &made.net, ["X", "Y", "Z", "W"], Clone::clone)?;
     text.push('\n');
     text += "Verdict of the independent checker, on the files below\n";
-    let theorem = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem);
+    let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
     let _ = writeln!(text, "{}\n", wrapped_at(&format!("VERIFIED. {}", theorem.sentence()), 3));
     for (number, files) in files.iter().enumerate() {
         if number == 0 {
@@ -234,7 +234,7 @@ pub(super) fn tiled_text(answer: &Tiled, directory: &Path) -> String {
         .faces
         .iter()
         .filter_map(|face| face.cover.as_ref().ok())
-        .any(|(_, theorem)| degenerate(theorem));
+        .any(|proof| degenerate(proof.theorem()));
     let regularly = if points { "regularly but for an edge that is one corner" } else { "regularly" };
     format!(
         "{verdict}\n\n   \

@@ -68,7 +68,7 @@ pub(super) fn degrees_text(degrees: &Degrees, closing: Option<&Files>, nets: &[V
         );
     }
     for (((m, n), made), files) in degrees.nets.iter().zip(nets) {
-        let theorem = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem);
+        let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
         let last = files.last().map_or_else(String::new, |files| files.certificate.display().to_string());
         let _ = writeln!(
             text,

@@ -12,7 +12,8 @@ use crate::checker::{Claim, ExactNet, Solution, Theorem};
 use crate::control::Control;
 use crate::elimination::{Closure, Undecided, VALUES};
 use crate::exact::{Limit, Polynomial};
-use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_within};
+use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_of};
+use crate::problem::Problem;
 use crate::prove::{Attempt, Consistent, Reason, image_of};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
@@ -164,6 +165,9 @@ enum ReasonData {
         verified: bool,
         basis: Vec<String>,
         eliminants: Vec<EliminantData>,
+        /// Zeros in K that make the denominator W vanish identically.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        zeros_without_patch: Option<usize>,
         /// Where there are infinitely many zeros: for which unknowns values were tried, and how many choices.
         #[serde(skip_serializing_if = "Option::is_none")]
         tried: Option<TriedData>,
@@ -229,12 +233,12 @@ pub(super) fn listed(statement: &Statement, list: Vec<Coefficient>) -> Vec<Coeff
 
 /// The same beside an attempt: none where there is no time left for them.
 fn expansion_within(
-    statement: &Statement,
+    problem: &Problem,
     basis: Basis,
     control: &Control,
 ) -> Result<Option<Vec<CoefficientData>>, Limit> {
-    match coefficients_within(statement, basis, control) {
-        Ok(list) => Ok(list.map(|list| listed(statement, list))),
+    match coefficients_of(problem, basis, control) {
+        Ok(list) => Ok(list.map(|list| listed(problem.statement(), list))),
         Err(ExpansionError::Interrupted(_)) => Ok(None),
         Err(ExpansionError::Limit(limit)) => Err(limit),
     }
@@ -246,12 +250,13 @@ fn expansion_within(
 /// Where a coefficient exceeds what the formats allow.
 pub fn attempt(
     name: &str,
-    of: &Statement,
+    problem: &Problem,
     attempt: &Attempt,
     files: Option<&Files>,
     control: &Control,
 ) -> Result<AttemptData, Limit> {
-    let of_basis = |basis| expansion_within(of, basis, control);
+    let of = problem.statement();
+    let of_basis = |basis| expansion_within(problem, basis, control);
     let (bernstein, monomial) = (of_basis(Basis::Bernstein)?, of_basis(Basis::Monomial)?);
     let mut data = AttemptData {
         claim: None,
@@ -279,10 +284,11 @@ pub fn attempt(
                 data.stopped = Some(stopped_by(stopped.why));
             }
         }
-        Attempt::Proved { certificate, theorem, freedom } => {
+        Attempt::Proved { proof, freedom } => {
+            let theorem = proof.theorem();
             data.claim = Some(theorem.kind());
             data.theorem = Some(theorem.sentence());
-            if let Argument::Impossible(steps) = &certificate.argument {
+            if let Argument::Impossible(steps) = &proof.certificate().argument {
                 data.steps = Some(steps.iter().map(|step| step_data(of, step)).collect());
             }
             solution(&mut data, theorem);
@@ -343,7 +349,7 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
             ReasonData::Interrupted { why: stopped.to_string(), reached: stopped.reached.clone() }
         }
         Reason::Consistent(consistent) => {
-            let Consistent { closure, tried, extension } = consistent.as_ref();
+            let Consistent { closure, without_patch, tried, extension } = consistent.as_ref();
             let tried = tried.as_ref().map(|tried| {
                 let name = |&k: &u16| statement.unknowns().get(usize::from(k)).cloned();
                 TriedData {
@@ -353,10 +359,10 @@ fn reason(statement: &Statement, reason: &Reason) -> Result<ReasonData, Limit> {
                 }
             });
             let radicands = extension.as_ref().map(|extension| extension.radicands.clone());
-            consistent_data(statement, closure, tried, radicands)?
+            consistent_data(statement, (closure, *without_patch), tried, radicands)?
         }
         Reason::Elimination(Undecided::Consistent(closure)) => {
-            consistent_data(statement, closure, None, None)?
+            consistent_data(statement, (closure, 0), None, None)?
         }
     })
 }
@@ -367,7 +373,7 @@ fn fraction(above: i64, below: u32) -> String {
 
 fn consistent_data(
     statement: &Statement,
-    closure: &Closure,
+    (closure, without_patch): (&Closure, usize),
     tried: Option<TriedData>,
     exact_with_radicands: Option<Vec<u32>>,
 ) -> Result<ReasonData, Limit> {
@@ -392,6 +398,7 @@ fn consistent_data(
         verified: closure.verified,
         basis,
         eliminants,
+        zeros_without_patch: Some(without_patch).filter(|count| *count > 0),
         tried,
         exact_with_radicands,
     })

@@ -6,12 +6,14 @@ use super::attempt::LINE;
 use super::expansion::surface_text;
 use super::mathematics::Notation;
 use super::setting;
+use crate::algebra::polynomial_to_exact;
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::control::Control;
 use crate::exact::Polynomial;
-use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_within, grouped};
+use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_of, grouped};
+use crate::problem::Problem;
 use crate::prove::flattened;
-use crate::statement::{Statement, Subject};
+use crate::statement::Subject;
 
 /// Distinct coefficients, steps, and cofactor terms that are printed in full.
 const COEFFICIENTS: usize = 16;
@@ -20,11 +22,12 @@ const COFACTOR_TERMS: usize = 12;
 
 /// The setting, the condition, the elimination and the contradiction.
 pub(super) fn refutation(
-    statement: &Statement,
+    problem: &Problem,
     cap: bool,
     certificate: &Certificate,
     control: &Control,
 ) -> Result<String, ExpansionError> {
+    let statement = problem.statement();
     let notation = Notation::new(statement.ring());
     let mut text = String::new();
     let mut number = 0;
@@ -37,9 +40,9 @@ pub(super) fn refutation(
         text += &setting::cube_face(statement, patch)?;
         text.push('\n');
     }
-    if let Some(list) = coefficients_within(statement, Basis::Bernstein, control)? {
+    if let Some(list) = coefficients_of(problem, Basis::Bernstein, control)? {
         heading(&mut text, "The condition");
-        text += &condition(statement, &notation, &list, control)?;
+        text += &condition(problem, &notation, &list, control)?;
         text.push('\n');
     }
     for (k, assumed) in (1..).zip(statement.nonzero()) {
@@ -54,7 +57,7 @@ pub(super) fn refutation(
         return Ok(text);
     };
     heading(&mut text, "The elimination");
-    text += &elimination(statement, &notation, steps, control);
+    text += &elimination(problem, &notation, steps, control);
     text.push('\n');
     heading(&mut text, "The contradiction");
     let _ = writeln!(text, "   If all these equations held, the last line would read 1 = 0.");
@@ -73,11 +76,12 @@ pub(super) fn refutation(
 }
 
 fn condition(
-    statement: &Statement,
+    problem: &Problem,
     notation: &Notation,
     list: &[Coefficient],
     control: &Control,
 ) -> Result<String, ExpansionError> {
+    let statement = problem.statement();
     let Subject::Patch(patch) = statement.subject() else {
         return Ok(String::new());
     };
@@ -121,7 +125,7 @@ fn condition(
     text += &group_lines(notation, &groups);
 
     // The paper's own coefficients, where they are short enough to be read.
-    let monomial = coefficients_within(statement, Basis::Monomial, control)?.unwrap_or_default();
+    let monomial = coefficients_of(problem, Basis::Monomial, control)?.unwrap_or_default();
     let (groups, _) = grouped(&monomial);
     let readable = |(_, value): &(Vec<&str>, &Polynomial)| notation.polynomial(value).chars().count() <= LINE;
     if monomial.iter().any(|c| c.name == "a1") && groups.iter().all(readable) {
@@ -148,7 +152,8 @@ fn group_lines(notation: &Notation, groups: &[(Vec<&str>, &Polynomial)]) -> Stri
     text
 }
 
-fn elimination(statement: &Statement, notation: &Notation, steps: &[Step], control: &Control) -> String {
+fn elimination(problem: &Problem, notation: &Notation, steps: &[Step], control: &Control) -> String {
+    let statement = problem.statement();
     let mut text = String::new();
     let mut values: Vec<Option<Polynomial>> = vec![None; statement.ring().variables.len()];
     let shown = steps.len().min(STEPS);
@@ -161,7 +166,7 @@ fn elimination(statement: &Statement, notation: &Notation, steps: &[Step], contr
             continue;
         }
         let last = number == steps.len();
-        if last && let Some(line) = contradiction(statement, notation, step, &values, control) {
+        if last && let Some(line) = contradiction(problem, notation, step, &values, control) {
             text += &line;
         }
         let label = format!("   ({number})");
@@ -206,7 +211,7 @@ fn solved(conclusion: &Polynomial) -> Option<(u16, Polynomial)> {
 
 /// What the one equation of the last step comes to at the values found before.
 fn contradiction(
-    statement: &Statement,
+    problem: &Problem,
     notation: &Notation,
     last: &Step,
     values: &[Option<Polynomial>],
@@ -221,14 +226,12 @@ fn contradiction(
     let [equation] = equations.as_slice() else {
         return None;
     };
-    let mut work = control.work();
-    let all = crate::checker::Equations::of(statement, &mut work).ok()?;
-    let polynomial = all.get(*equation)?;
+    let polynomial = polynomial_to_exact(&problem.equation(*equation)?).ok()?;
     let at: Vec<Polynomial> = (0u16..)
         .zip(values)
         .map(|(index, value)| value.clone().unwrap_or_else(|| Polynomial::variable(index)))
         .collect();
-    let value = polynomial.substitute(&at, statement.field(), &mut work).ok()?;
+    let value = polynomial.substitute(&at, problem.statement().field(), &mut control.work()).ok()?;
     let when = if polynomial.is_constant() { "Identically" } else { "With these values" };
     (value.is_constant() && !value.is_zero())
         .then(|| format!("   {when} {equation} = {}, not 0:\n", notation.polynomial(&value)))

@@ -8,7 +8,8 @@ use crate::algebra::{FieldElement, Monomial, Polynomial, Sign, polynomial_to_exa
 use crate::control::Interrupted;
 use crate::elimination::{Closure, Eliminant, Tried, Undecided, VALUES};
 use crate::exact::{Limit, Radicands};
-use crate::prove::{Consistent, Extension, Reason, field_of};
+use crate::problem::field_of;
+use crate::prove::{Consistent, Extension, Reason};
 use crate::statement::{Statement, Subject};
 
 /// Polynomials of a basis that are printed.
@@ -65,10 +66,12 @@ pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<Stri
             }
         }
         // Elimination by itself says this; an attempt looks for zeros before it gives up.
-        Reason::Elimination(Undecided::Consistent(closure)) => text += &closure_text(statement, closure)?,
+        Reason::Elimination(Undecided::Consistent(closure)) => {
+            text += &closure_text(statement, closure, (0, false))?;
+        }
         Reason::Consistent(consistent) => {
-            let Consistent { closure, tried, extension } = consistent.as_ref();
-            text += &closure_text(statement, closure)?;
+            let Consistent { closure, without_patch, tried, extension } = consistent.as_ref();
+            text += &closure_text(statement, closure, (*without_patch, extension.is_some()))?;
             if let Some(tried) = tried {
                 let _ = writeln!(text, "\n{}", tried_text(statement, tried));
             }
@@ -128,18 +131,29 @@ fn extension_text(statement: &Statement, extension: &Extension) -> Result<String
         };
         found.push(format!("{name} = {value}"));
     }
+    let mut chosen = Vec::new();
+    for (unknown, value) in &extension.chosen {
+        let Some(name) = statement.unknowns().get(*unknown) else { continue };
+        chosen.push(format!("{name} = {}", spell(value)?));
+    }
+    let chosen = if chosen.is_empty() { String::new() } else { format!("With {}: ", chosen.join(", ")) };
     let radicands = format!("with radicands = {:?} this is EXACT (prove --extend)", extension.radicands);
     Ok(wrapped_at(
         &match found.is_empty() {
-            true => format!("But {radicands}."),
-            false => format!("{}; {radicands}.", found.join(", ")),
+            true if chosen.is_empty() => format!("But {radicands}."),
+            true => format!("{chosen}{radicands}."),
+            false => format!("{chosen}{}; {radicands}.", found.join(", ")),
         },
         0,
     ))
 }
 
 /// What the equations are equivalent to, and what that says of their zeros.
-fn closure_text(statement: &Statement, closure: &Closure) -> Result<String, Limit> {
+fn closure_text(
+    statement: &Statement,
+    closure: &Closure,
+    (without_patch, larger): (usize, bool),
+) -> Result<String, Limit> {
     let mut text = String::new();
     let field = statement.field();
     let zeros = match closure.zeros {
@@ -162,7 +176,7 @@ fn closure_text(statement: &Statement, closure: &Closure) -> Result<String, Limi
     };
     let everywhere = closure.linear.is_empty() && closure.basis.is_empty();
     if !everywhere {
-        text += &coordinates(statement, closure)?;
+        text += &coordinates(statement, closure, (without_patch, larger))?;
     }
     let notation = Notation::new(statement.ring());
     let basis: Vec<_> = closure.linear.iter().chain(&closure.basis).collect();
@@ -183,7 +197,13 @@ fn closure_text(statement: &Statement, closure: &Closure) -> Result<String, Limi
 }
 
 /// The possible coordinates of finitely many zeros: for each unknown its eliminant and how many real roots it has.
-fn coordinates(statement: &Statement, closure: &Closure) -> Result<String, Limit> {
+///
+/// Then what that says of the zeros: so many in K make no patch, and `larger` says that one over a larger field was found.
+fn coordinates(
+    statement: &Statement,
+    closure: &Closure,
+    (without_patch, larger): (usize, bool),
+) -> Result<String, Limit> {
     let field = statement.field();
     let unknowns = statement.unknowns();
     let of_unknowns = closure
@@ -217,6 +237,14 @@ fn coordinates(statement: &Statement, closure: &Closure) -> Result<String, Limit
         let _ = writeln!(text, "   {name} is a root of {formula}: {roots}{inside}");
     }
     let conclusion = match (closure.eliminants.is_empty(), real, in_field) {
+        _ if without_patch == 1 => format!(
+            "At the one zero in {field} that was found the denominator W vanishes identically: that is no patch."
+        ),
+        _ if without_patch > 1 => format!(
+            "At the {without_patch} zeros in {field} that were found the denominator W vanishes identically: they are no patches."
+        ),
+        // The line on the larger field says more.
+        (true, ..) if larger => return Ok(text),
         (true, ..) => format!("Whether one of the zeros is real, or lies in {field}, was not decided."),
         (_, false, _) => {
             "So no zero is real. That was computed, but this program has no certificate for it.".to_owned()

@@ -41,7 +41,8 @@ fn cylinder(
 /// The values, spelled, and what was free.
 fn values(text: &str) -> (Vec<String>, Freedom) {
     let (statement, attempt) = attempt(text);
-    let Attempt::Proved { theorem, freedom, .. } = attempt else { panic!("{attempt:?}\n{text}") };
+    let Attempt::Proved { proof, freedom, .. } = attempt else { panic!("{attempt:?}\n{text}") };
+    let theorem = proof.theorem();
     let values = match theorem.claim() {
         Claim::Exact(exact) => &exact.values,
         Claim::Solution(solution) => &solution.values,
@@ -59,7 +60,8 @@ fn undecided(text: &str) -> Consistent {
 
 fn exact(text: &str) -> (Statement, ExactNet) {
     let (statement, attempt) = attempt(text);
-    let Attempt::Proved { theorem, .. } = attempt else { panic!("{attempt:?}\n{text}") };
+    let Attempt::Proved { proof, .. } = attempt else { panic!("{attempt:?}\n{text}") };
+    let theorem = proof.theorem();
     let Claim::Exact(exact) = theorem.claim() else { panic!("{theorem:?}") };
     (statement, exact.clone())
 }
@@ -160,7 +162,7 @@ fn an_assumption_holds_in_the_larger_field_too() {
     assert_eq!(undecided(&text).extension.unwrap().radicands, [2]);
     assert!(matches!(
         attempt(&system("[]", &["x", "y"], &["x - y", "x + y"], &["x^2 - 2", "y^2 - 2"])).1,
-        Attempt::Proved { theorem, .. } if theorem.kind() == "impossible"
+        Attempt::Proved { proof, .. } if proof.theorem().kind() == "impossible"
     ));
 }
 

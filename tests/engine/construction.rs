@@ -9,7 +9,7 @@ use prove_cap::checker::{
     Theorem, check, check_read,
 };
 use prove_cap::construction::{
-    Cell, CoverError, How, Phase, Refusal, centre_of, classify, closing_certificate, closing_statement,
+    Cell, CoverError, How, Phase, Refusal, centre_of, classify, closing_argument, closing_statement,
     closing_values, construct, cover, elevated, tile, triple_products,
 };
 use prove_cap::control::Control;
@@ -17,6 +17,7 @@ use prove_cap::exact::Polynomial;
 use prove_cap::geometry::{
     Complex, NamedPolygon, POLYGONS, Point, Polygon, PolygonError, Spinor, SpinorForm, Vector,
 };
+use prove_cap::proof::Proof;
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::{Statement, Subject};
 
@@ -36,7 +37,7 @@ fn rational(points: &[[i64; 4]]) -> Result<Polygon, PolygonError> {
 
 /// The net of a statement without unknowns.
 fn net_of(statement: &Statement) -> Vec<Vec<Point>> {
-    let field = prove_cap::prove::field_of(statement);
+    let field = prove_cap::problem::field_of(statement);
     let Subject::Patch(patch) = statement.subject() else { panic!("a patch") };
     let number = |entry: &Polynomial| polynomial_from_exact(field, entry).as_constant().unwrap();
     let row = |row: &Vec<[Polynomial; 4]>| row.iter().map(|point| point.each_ref().map(number)).collect();
@@ -56,10 +57,11 @@ fn cube() -> Polygon {
 /// The cover of the cube's face of bidegree (4,2), changed.
 fn changed(change: impl Fn(&mut Cover)) -> Result<Theorem, CheckError> {
     let made = construct(&cube(), "cube", (4, 2), None, &control()).unwrap();
-    let (certificate, _) = made.cover.unwrap();
-    let Argument::Cover(mut cover) = certificate.argument else { panic!("a cover") };
+    let proof = made.cover.unwrap();
+    let certificate = proof.certificate();
+    let Argument::Cover(mut cover) = certificate.argument.clone() else { panic!("a cover") };
     change(&mut cover);
-    check_read(&made.statement, &Certificate { argument: Argument::Cover(cover), ..certificate })
+    check_read(&made.statement, &Certificate { argument: Argument::Cover(cover), ..certificate.clone() })
 }
 
 fn rejection(result: Result<Theorem, CheckError>) -> CoverRejection {
@@ -78,8 +80,9 @@ fn every_polygon_is_covered_where_the_theorem_says_so() {
             match construct(&polygon, named.name, bidegree, None, &control()) {
                 Ok(made) => {
                     assert!(exact, "{} {bidegree:?}", named.name);
-                    let (_, theorem) = made.cover.unwrap();
-                    let corners = corners_of(&theorem, polygon.field());
+                    let proof = made.cover.unwrap();
+                    let theorem = proof.theorem();
+                    let corners = corners_of(theorem, polygon.field());
                     let mut expected = polygon.corners().to_vec();
                     if polygon.is_triangle() {
                         expected.insert(2, expected[1].clone());
@@ -101,7 +104,8 @@ fn fifteen_points_are_enough_for_the_cap_and_their_jacobian_needs_no_halving() {
     let made = construct(&cube(), "cube", (4, 2), None, &control()).unwrap();
     assert_eq!(made.net.iter().map(Vec::len).sum::<usize>(), 15);
     assert!(matches!(made.how, How::Linear { tried: 0, .. }));
-    let (certificate, theorem) = made.cover.unwrap();
+    let proof = made.cover.unwrap();
+    let (certificate, theorem) = (proof.certificate(), proof.theorem());
     let Argument::Cover(cover) = &certificate.argument else { panic!("a cover") };
     // All 11·5 Bernstein coefficients are positive already.
     assert_eq!(cover.regular, [false]);
@@ -145,7 +149,8 @@ fn arcs() -> [EdgeTree; 4] {
 fn edges_in_small_circles_are_refused() {
     let text = catalogue::find("stereographic").unwrap().statement();
     let statement = Statement::read(&text).unwrap();
-    let Ok(Attempt::Proved { theorem, .. }) = prove(&statement, &control()) else { panic!("exact") };
+    let Ok(Attempt::Proved { proof, .. }) = prove(&statement, &control()) else { panic!("exact") };
+    let theorem = proof.theorem();
     let Claim::Exact(ExactNet { values, .. }) = theorem.claim() else { panic!("exact") };
     let cover = Cover {
         values: values.clone(),
@@ -239,12 +244,13 @@ fn one_turned_sign_in_cobbs_net_fails_at_a_named_coefficient() {
 fn cobbs_net_and_the_octant_are_covers() {
     let statement = Statement::read(&catalogue::find("cobb").unwrap().statement()).unwrap();
     let net = net_of(&statement);
-    let (_, theorem) = cover(&statement, &net, &control()).unwrap();
+    let proof = cover(&statement, &net, &control()).unwrap();
+    let theorem = proof.theorem();
     let Claim::Cover(Covered { corners, .. }) = theorem.claim() else { panic!("a cover") };
     assert_eq!(corners.len(), 4);
     let octant = NamedPolygon::find("octant").unwrap().polygon();
     let made = construct(&octant, "octant", (2, 2), None, &control()).unwrap();
-    let Claim::Cover(Covered { point, .. }) = made.cover.unwrap().1.claim().clone() else {
+    let Claim::Cover(Covered { point, .. }) = made.cover.unwrap().theorem().claim().clone() else {
         panic!("a cover")
     };
     assert_eq!(point, Some("u=1"));
@@ -304,7 +310,7 @@ fn a_phase_that_closes_makes_the_answer_exact() {
         assert_eq!(Phase::of(&polygon), Phase::Reversed);
         assert_eq!(classify(Phase::Reversed, (2, 2)), Cell::LongerWay);
         let statement = Statement::read(&closing_statement(&polygon, "closing")).unwrap();
-        assert_eq!(closing_certificate(&polygon, &statement).unwrap(), None);
+        assert_eq!(closing_argument(&polygon).unwrap(), None);
         let values = closing_values(&polygon).unwrap();
         let values = values.into_iter().map(prove_cap::algebra::Polynomial::constant);
         let values = values.map(|value| prove_cap::algebra::polynomial_to_exact(&value).unwrap()).collect();
@@ -313,9 +319,9 @@ fn a_phase_that_closes_makes_the_answer_exact() {
         assert_eq!(theorem.kind(), "solution");
         // The net is on the sphere, but it covers no polygon: an edge takes the longer way.
         let made = construct(&polygon, "closed", (2, 2), None, &control()).unwrap();
-        assert_eq!(made.exact.1.kind(), "exact");
+        assert_eq!(made.exact.theorem().kind(), "exact");
         let Err(CoverError::NotPositive { what, at, zero: false }) = made.cover else {
-            panic!("{:?}", made.cover.map(|(_, theorem)| theorem));
+            panic!("{:?}", made.cover.map(|proof| proof.theorem().clone()));
         };
         assert_eq!(what, "an edge's side of its arc");
         // The place is on an edge.
@@ -382,12 +388,11 @@ fn biquadratic(polygon: &Polygon) -> Statement {
 fn elimination_and_the_closing_condition_agree() {
     for polygon in quadrilaterals() {
         let closing = Statement::read(&closing_statement(&polygon, "closing")).unwrap();
-        let certificate =
-            closing_certificate(&polygon, &closing).unwrap().expect("convex: the phase is open");
-        assert_eq!(check_read(&closing, &certificate).unwrap().kind(), "impossible");
+        let argument = closing_argument(&polygon).unwrap().expect("convex: the phase is open");
+        assert_eq!(Proof::of(&closing, argument, &control()).unwrap().theorem().kind(), "impossible");
         let statement = biquadratic(&polygon);
         match prove(&statement, &control()).unwrap() {
-            Attempt::Proved { theorem, .. } => assert_eq!(theorem.kind(), "impossible"),
+            Attempt::Proved { proof, .. } => assert_eq!(proof.theorem().kind(), "impossible"),
             Attempt::Undecided(reason) => panic!("{reason:?}"),
         }
         let made = construct(&polygon, "random", (4, 2), None, &control()).unwrap();
@@ -405,7 +410,7 @@ fn a_corner_that_is_not_convex_leaves_an_exact_patch_that_covers_nothing() {
     };
     assert!(!dart.is_convex());
     let made = construct(&dart, "dart", (4, 2), None, &control()).unwrap();
-    assert_eq!(made.exact.1.kind(), "exact");
+    assert_eq!(made.exact.theorem().kind(), "exact");
     assert!(
         matches!(made.cover, Err(CoverError::NotPositive { what: "the Jacobian determinant", .. })),
         "{:?}",
@@ -436,7 +441,8 @@ fn committed_covers_are_reproduced_to_the_byte() {
             let Ok(committed) = std::fs::read_to_string(format!("{folder}/cover.txt")) else { continue };
             let made = construct(&polygon, named.name, (m, n), None, &control()).unwrap();
             assert_eq!(made.text, std::fs::read_to_string(format!("{folder}/statement.toml")).unwrap());
-            let (certificate, _) = made.cover.unwrap();
+            let proof = made.cover.unwrap();
+            let certificate = proof.certificate();
             assert_eq!(certificate.write(&made.statement.ring()), committed, "{folder}");
         }
     }

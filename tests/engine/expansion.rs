@@ -7,11 +7,17 @@ use prove_cap::algebra::{
 use prove_cap::bezier::{BernsteinForm, RationalArc, binomial};
 use prove_cap::certificate::Premise;
 use prove_cap::checker::Equations;
+use prove_cap::control::Control;
 use prove_cap::exact::Work;
 use prove_cap::geometry::{CubeFace, GreatCircleArc, dot};
-use prove_cap::prove::{condition_of, field_of};
+use prove_cap::problem::{Problem, field_of};
 use prove_cap::statement::{Statement, Subject};
 use prove_cap::{catalogue, expand};
+
+fn condition(statement: &Statement) -> BernsteinForm {
+    let problem = Problem::of(statement, &Control::default());
+    problem.condition().unwrap().unwrap().clone()
+}
 
 /// A statement with a random net in two unknowns and a random choice of surface and convention.
 fn random_statement() -> impl Strategy<Value = String> {
@@ -64,7 +70,7 @@ proptest! {
     #[test]
     fn prover_and_checker_expand_alike(text in random_statement()) {
         let statement = Statement::read(&text).unwrap();
-        let form = condition_of(&statement).unwrap();
+        let form = condition(&statement);
         let equations = Equations::of(&statement, &mut Work::full()).unwrap();
         let mut count = 0;
         for (r, s, c) in form.coefficients() {
@@ -95,14 +101,14 @@ proptest! {
             });
             sum.add(&factors.fold(Polynomial::constant(c.clone()), |product, factor| product.multiply(factor)))
         });
-        prop_assert_eq!(value_of_form(&condition_of(&statement).unwrap(), &u, &v), direct);
+        prop_assert_eq!(value_of_form(&condition(&statement), &u, &v), direct);
     }
 
     #[test]
     fn both_bases_give_the_same_function(text in random_statement(), u in -3i64..4, v in -3i64..4) {
         let statement = Statement::read(&text).unwrap();
         let field = field_of(&statement);
-        let form = condition_of(&statement).unwrap();
+        let form = condition(&statement);
         let (u, v) = (small(field, u, 2), small(field, v, 3));
         let power = |x: &FieldElement, e: u32| (0..e).fold(field.one(), |p, _| &p * x);
         let by_powers = form.to_monomial_basis().iter().fold(Polynomial::zero(field), |sum, (k, l, a)| {

@@ -1,8 +1,15 @@
 //! The families of caps by name: what their nets say, and names that are refused.
 
+use prove_cap::bezier::BernsteinForm;
 use prove_cap::catalogue::{Cap, cap};
-use prove_cap::prove::condition_of;
+use prove_cap::control::Control;
+use prove_cap::problem::Problem;
 use prove_cap::statement::Statement;
+
+fn condition(statement: &Statement) -> BernsteinForm {
+    let problem = Problem::of(statement, &Control::default());
+    problem.condition().unwrap().unwrap().clone()
+}
 
 fn family(name: &str) -> Cap {
     cap(name).unwrap_or_else(|| panic!("{name}")).unwrap_or_else(|fault| panic!("{fault}"))
@@ -99,7 +106,7 @@ fn symmetric_nets_have_symmetric_coefficients() {
     ];
     for (name, kept, broken) in cases {
         let statement = statement(name);
-        let form = condition_of(&statement).unwrap();
+        let form = condition(&statement);
         let (m, n) = (form.bidegree().0 / 2, form.bidegree().1 / 2);
         let holds = |image: &Image| {
             form.coefficients().all(|(r, s, value)| {
@@ -120,7 +127,7 @@ fn with_all_weights_1_the_edges_are_the_standard_ones() {
         let fixed =
             text.replace(", \"d\"]", "]").replace("nonzero = [\"d\"]\n", "") + "\n[define]\nd = \"1\"\n";
         let fixed = Statement::read(&fixed).unwrap_or_else(|error| panic!("{weights}: {error}"));
-        let (a, b) = (condition_of(&fixed).unwrap(), condition_of(&statement(standard)).unwrap());
+        let (a, b) = (condition(&fixed), condition(&statement(standard)));
         assert!(a.coefficients().eq(b.coefficients()), "{weights}");
     }
 }

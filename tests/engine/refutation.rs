@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use prove_cap::checker::{Claim, ExactNet, Solution};
 use prove_cap::control::{Control, Interrupted, Why};
 use prove_cap::elimination::{Closure, Outcome, Undecided, eliminate};
-use prove_cap::prove::{Attempt, Reason, prove, system_of};
+use prove_cap::problem::Problem;
+use prove_cap::prove::{Attempt, Reason, prove};
 use prove_cap::statement::Statement;
 
 fn system(radicands: &str, unknowns: &str, nonzero: &str, polynomials: &[&str]) -> Statement {
@@ -29,7 +30,7 @@ enum Answer {
 
 fn answer(statement: &Statement) -> Answer {
     match prove(statement, &Control::default()).unwrap() {
-        Attempt::Proved { theorem, .. } => match theorem.claim() {
+        Attempt::Proved { proof, .. } => match proof.theorem().claim() {
             Claim::Impossible(_) => Answer::Impossible,
             Claim::Solution(Solution { values }) => {
                 Answer::Solution(values.iter().map(|value| statement.ring().spell(value)).collect())
@@ -48,7 +49,7 @@ fn counted(closure: &Closure) -> Answer {
 
 /// What elimination says, before zeros in K are looked for.
 fn zeros(statement: &Statement) -> Answer {
-    match eliminate(&system_of(statement, &Control::default()).unwrap(), &Control::default()).1 {
+    match eliminate(&Problem::of(statement, &Control::default()).system().unwrap(), &Control::default()).1 {
         Outcome::Open(Undecided::Consistent(closure)) => counted(&closure),
         _ => Answer::Other,
     }
@@ -201,7 +202,8 @@ fn isolated_zeros_in_the_field_are_found() {
 fn of_two_nets_the_one_with_positive_weights_is_given() {
     let text = std::fs::read_to_string("tests/data/sessions/session.in/cylinder.toml").unwrap();
     let attempt = prove(&Statement::read(&text).unwrap(), &Control::default()).unwrap();
-    let Attempt::Proved { theorem, .. } = attempt else { panic!("{attempt:?}") };
+    let Attempt::Proved { proof, .. } = attempt else { panic!("{attempt:?}") };
+    let theorem = proof.theorem();
     let Claim::Exact(ExactNet { values, weights_positive: true, .. }) = theorem.claim() else {
         panic!("{theorem:?}")
     };

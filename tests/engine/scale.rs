@@ -175,7 +175,7 @@ fn barrier(
     };
     let between = [&centre - &size, &centre + &size];
     exclude(statement, between, places, &best.extremes, &Control::default()).map(|barrier| {
-        match barrier.certificate.argument {
+        match barrier.proof.certificate().argument.clone() {
             Argument::Unreachable(argument) => argument,
             other => panic!("{other:?}"),
         }

@@ -262,6 +262,18 @@ fn a_flat_square_that_touches_the_sphere_is_bounded() {
         assert_eq!(low, format!("0.{}", "9".repeat(places as usize)));
         assert_eq!(high, format!("3.{}", "0".repeat(places as usize)));
     }
+    // However long the coordinates of the contact are.
+    for (low, high) in
+        [("-0.987131", "1.013313"), ("-1.2345678", "2.567"), ("-1/10^15", "1"), ("-10^9", "1/3")]
+    {
+        let enclosure = enclosed(&square(low, high), &[], 12);
+        assert_eq!(spelled(&enclosure.bounds)[0], "0.999999999999", "{low} {high}");
+        let strip = square(low, high);
+        for factor in ["123457/1000003", "1/10^9", "10^15", "17/5"] {
+            let again = enclosed(&multiplied(&strip, &[], "1", factor), &[], 6);
+            assert_eq!(spelled(&again.bounds)[0], "0.999999", "{low} {high} {factor}");
+        }
+    }
     // At u = v = 1 − √2/2 no point that a certificate can name comes that near: undecided, in so many words.
     let error = enclose(&square("1 - sqrt(2)", "1"), &[], 6, &Control::default()).unwrap_err();
     assert!(matches!(error, EnclosureError::Unsettled { .. }), "{error}");

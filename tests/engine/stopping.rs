@@ -85,7 +85,7 @@ fn bounds_stop() {
         .into();
     stops_everywhere(|control| match enclose(&statement, &values, 12, control) {
         Err(EnclosureError::Interrupted(why)) => Err(why),
-        other => Ok(other.unwrap().certificate),
+        other => Ok(other.unwrap().proof),
     });
 }
 
@@ -115,6 +115,6 @@ fn constructions_stop() {
     });
     stops_everywhere(|control| match construct(&octant.polygon(), "t", (4, 4), None, control) {
         Err(Refusal::Interrupted(why)) => Err(why),
-        other => Ok(other.unwrap().exact.0),
+        other => Ok(other.unwrap().exact),
     });
 }

@@ -11,7 +11,8 @@
 use itertools::Itertools;
 use prove_cap::control::Control;
 use prove_cap::elimination::{Outcome, Undecided, eliminate};
-use prove_cap::prove::{Attempt, prove, system_of};
+use prove_cap::problem::Problem;
+use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;
 
 /// Polynomials in x0, x1, …
@@ -40,9 +41,11 @@ impl System {
             self.polynomials
         );
         let statement = Statement::read(&text).unwrap_or_else(|error| panic!("{error}"));
-        match eliminate(&system_of(&statement, &Control::default()).unwrap(), &Control::default()).1 {
+        match eliminate(&Problem::of(&statement, &Control::default()).system().unwrap(), &Control::default())
+            .1
+        {
             Outcome::Unit(_) => match prove(&statement, &Control::default()).unwrap() {
-                Attempt::Proved { theorem, .. } if theorem.kind() == "impossible" => Answer::Impossible,
+                Attempt::Proved { proof, .. } if proof.theorem().kind() == "impossible" => Answer::Impossible,
                 other => panic!("{other:?}"),
             },
             Outcome::Open(Undecided::Consistent(closure)) => {

@@ -62,7 +62,7 @@ fn a_planted_zero_is_found() {
                 );
                 let statement = Statement::read(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
                 match prove(&statement, &Control::default()).unwrap() {
-                    Attempt::Proved { theorem, .. } => assert_eq!(theorem.kind(), "solution"),
+                    Attempt::Proved { proof, .. } => assert_eq!(proof.theorem().kind(), "solution"),
                     Attempt::Undecided(_) => undecided.push(text),
                 }
             }

@@ -34,9 +34,9 @@ fn every_built_in_statement_has_its_committed_proof() {
         let statement = Statement::read(&text).unwrap();
         for _ in 0..3 {
             let attempt = prove(&statement, &Control::default()).unwrap();
-            let Attempt::Proved { certificate, theorem, .. } = attempt else {
-                panic!("{} is undecided", entry.name)
-            };
+            let Attempt::Proved { proof, .. } = attempt else { panic!("{} is undecided", entry.name) };
+            let certificate = proof.certificate();
+            let theorem = proof.theorem();
             let written = certificate.write(&statement.ring());
             assert_eq!(written, committed(entry.name, "certificate.txt"), "{}", entry.name);
             let impossible = !entry.summary.starts_with("positive control");

@@ -36,10 +36,11 @@ pub(crate) fn committed(folder: impl AsRef<Path>) -> (Statement, Certificate) {
 /// A statement's text, proved now.
 pub(crate) fn proved(text: &str) -> (Statement, Certificate) {
     let statement = Statement::read(text).unwrap();
-    let Ok(Attempt::Proved { certificate, .. }) = prove(&statement, &Control::default()) else {
+    let Ok(Attempt::Proved { proof, .. }) = prove(&statement, &Control::default()) else {
         panic!("not proved: {text}")
     };
-    (statement, certificate)
+    let certificate = proof.certificate();
+    (statement, certificate.clone())
 }
 
 /// A refutation with something done to its steps.

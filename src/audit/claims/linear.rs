@@ -9,7 +9,7 @@ use crate::audit::phrase::Phrase;
 use crate::audit::span::Span;
 use crate::exact;
 use crate::listing::{Expression, Symbol};
-use crate::prove::field_of;
+use crate::problem::field_of;
 
 impl Claimed<'_> {
     /// A true coefficient, to compute with.

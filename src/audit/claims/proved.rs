@@ -25,12 +25,12 @@ pub(super) fn proved(
     let statement = Statement::read(&entry.statement()).map_err(|error| at.wrong(error.to_string()))?;
     let attempt = prove(&statement, control).map_err(|error| at.wrong(error.to_string()))?;
     Ok(match &attempt {
-        Attempt::Proved { certificate, theorem, .. } => {
-            let found = match theorem.claim() {
+        Attempt::Proved { proof, .. } => {
+            let found = match proof.theorem().claim() {
                 Claim::Impossible(_) => Expectation::Impossible,
                 _ => Expectation::Exact,
             };
-            let how = match &certificate.argument {
+            let how = match &proof.certificate().argument {
                 Argument::Impossible(steps) => {
                     format!("{name}: PROVED impossible, a certificate of {} steps, checked", steps.len())
                 }

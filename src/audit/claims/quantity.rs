@@ -9,7 +9,7 @@ use crate::audit::phrase::Phrase;
 use crate::exact;
 use crate::geometry::{CubeFace, dot};
 use crate::listing::{Expression, Scope, Symbol};
-use crate::prove::field_of;
+use crate::problem::field_of;
 
 /// What a printed quantity may be.
 const NAMES: &str = "R, R^2, a, A, B, M, |OM|, |BM|, P01, |OP01|, w00, w01, w02, cos(alpha/2)";

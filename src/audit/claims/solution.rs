@@ -9,7 +9,7 @@ use crate::audit::phrase::Phrase;
 use crate::audit::span::{Solutions, solve};
 use crate::exact;
 use crate::listing::{Expression, Scope, Symbol};
-use crate::prove::field_of;
+use crate::problem::field_of;
 
 /// Decimals that are shown of a value at least.
 const PLACES: u32 = 8;

@@ -7,7 +7,7 @@ use crate::algebra::{
     FieldElement, Polynomial as Computed, Univariate, polynomial_from_exact, polynomial_to_exact,
 };
 use crate::exact::Polynomial;
-use crate::prove::field_of;
+use crate::problem::field_of;
 
 /// What equations that hold at a point say about other points.
 pub(super) enum Others {

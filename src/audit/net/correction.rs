@@ -18,7 +18,7 @@ use crate::audit::AuditError;
 use crate::bezier::{BernsteinForm, surface_condition_within};
 use crate::control::{Control, Interrupted};
 use crate::exact::Polynomial;
-use crate::prove::field_of;
+use crate::problem::field_of;
 use crate::statement::{Patch, Statement, Subject};
 
 /// A change that makes the net right, and the only one needed.

@@ -16,12 +16,12 @@ pub use reading::Reading;
 
 use super::AuditError;
 use crate::algebra::{FieldElement, Sign, polynomial_from_exact};
-use crate::certificate::{Argument, Certificate};
-use crate::checker::check_read_within;
+use crate::certificate::Argument;
 use crate::control::{Control, Interrupted};
 use crate::exact::Polynomial;
-use crate::expand::{Basis, coefficients_within};
-use crate::prove::field_of;
+use crate::expand::{Basis, coefficients_of};
+use crate::problem::{Problem, field_of};
+use crate::proof::{NoProof, Proof};
 use crate::statement::Statement;
 
 /// `c[r,s]`: r, s, and the value.
@@ -61,12 +61,12 @@ impl NetAudit {
         let agrees = residual.is_empty();
         if agrees {
             // Without unknowns there is nothing to be searched for: the checker expands the net by itself.
-            let argument = Argument::Exact(Vec::new());
-            let certificate = Certificate { statement: statement.hash(), argument };
-            check_read_within(&statement, &certificate, &mut control.work()).map_err(|error| {
-                control.unless_stopped(AuditError::Net(format!(
+            Proof::of(&statement, Argument::Exact(Vec::new()), control).map_err(|why| match why {
+                NoProof::Interrupted(why) => AuditError::Interrupted(why),
+                NoProof::Limit(limit) => AuditError::Limit(limit),
+                NoProof::Refused(error) => AuditError::Net(format!(
                     "the independent checker refused that the net is on the surface: {error}"
-                )))
+                )),
             })?;
         }
         let mut audit = NetAudit {
@@ -125,7 +125,8 @@ fn size(statement: &Statement, value: &Polynomial) -> Option<FieldElement> {
 
 /// How many coefficients `c[r,s]` there are, and those that do not vanish.
 fn residual_of(statement: &Statement, control: &Control) -> Result<(usize, Vec<Coefficient>), AuditError> {
-    let all = coefficients_within(statement, Basis::Bernstein, control)?.unwrap_or_default();
+    let all =
+        coefficients_of(&Problem::of(statement, control), Basis::Bernstein, control)?.unwrap_or_default();
     let count = all.len();
     let residual = all.into_iter().filter(|c| !c.value.is_zero()).map(|c| (c.index.0, c.index.1, c.value));
     Ok((count, residual.collect()))

@@ -17,7 +17,7 @@ use crate::audit::AuditError;
 use crate::bezier::surface_condition_within;
 use crate::control::Control;
 use crate::exact::Polynomial;
-use crate::prove::field_of;
+use crate::problem::field_of;
 use crate::statement::{Patch, Statement, Subject};
 
 /// More decimals than these are not counted.

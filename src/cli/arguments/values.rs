@@ -23,6 +23,10 @@ pub(in crate::cli) fn values(statement: &Statement, set: &[String]) -> Result<Ve
 /// A tolerance as decimal places: 1e-12 is 12.
 pub(in crate::cli) fn tolerance(text: &str) -> Result<u32, String> {
     let size: f64 = text.parse().map_err(|_| "expected a number such as 1e-12".to_owned())?;
+    let digits = text.split(['e', 'E']).next().unwrap_or_default();
+    if size == 0.0 && digits.contains(|c: char| ('1'..='9').contains(&c)) {
+        return Err(format!("the checker's limits allow 1e-{PLACES} and more"));
+    }
     if !(size > 0.0 && size < 1.0) {
         return Err("expected a number between 0 and 1, such as 1e-12".to_owned());
     }

@@ -38,13 +38,7 @@ pub fn check(statement: &[u8], certificate: &[u8]) -> Result<Theorem, CheckError
 /// # Errors
 /// As [`check`] has them; where the allowance was ended from outside, a limit.
 pub fn check_within(statement: &[u8], certificate: &[u8], work: &mut Work) -> Result<Theorem, CheckError> {
-    let statement = Statement::read_bytes(statement, work)?;
-    // Files that do not belong together are told apart before the certificate is read with the statement's names.
-    if let Some(actual) = Certificate::statement_of(certificate) {
-        same(&statement, actual)?;
-    }
-    let certificate = Certificate::read(certificate, &statement.ring(), statement.unknowns().len(), work)?;
-    examine(&statement, &certificate, work)
+    check_text_within(&Statement::read_bytes(statement, work)?, certificate, work)
 }
 
 /// Checks a certificate against a statement, both read already.
@@ -65,13 +59,23 @@ pub fn check_read_within(
     work: &mut Work,
 ) -> Result<Theorem, CheckError> {
     // What was built in memory need not be well formed; what the reader accepts is.
-    let ring = statement.ring();
-    let text = certificate.write(&ring);
-    let read = Certificate::read(text.as_bytes(), &ring, statement.unknowns().len(), work)?;
-    examine(statement, &read, work)
+    check_text_within(statement, certificate.write(&statement.ring()).as_bytes(), work)
 }
 
-fn examine(statement: &Statement, certificate: &Certificate, work: &mut Work) -> Result<Theorem, CheckError> {
+/// The bytes of a certificate file against a statement that was read already.
+///
+/// # Errors
+/// As [`check`] has them; where the allowance was ended from outside, a limit.
+pub fn check_text_within(
+    statement: &Statement,
+    certificate: &[u8],
+    work: &mut Work,
+) -> Result<Theorem, CheckError> {
+    // Files that do not belong together are told apart before the certificate is read with the statement's names.
+    if let Some(actual) = Certificate::statement_of(certificate) {
+        same(statement, actual)?;
+    }
+    let certificate = Certificate::read(certificate, &statement.ring(), statement.unknowns().len(), work)?;
     same(statement, &certificate.statement)?;
     let claim = certificate.argument.verify(statement, work)?;
     Ok(Theorem::established(statement, claim))

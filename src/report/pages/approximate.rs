@@ -10,6 +10,7 @@ use crate::report::attempt::Files;
 use crate::report::bounds::{
     EnclosureData, barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, symbol,
 };
+use crate::report::headline::surface_equation;
 use crate::report::json::{ValueData, values_data};
 use crate::report::page::Page;
 use crate::report::rounding::{Towards, rounded};
@@ -57,6 +58,11 @@ enum BestData {
         theorem: String,
         certificate: Option<String>,
     },
+    Zero {
+        proved: bool,
+        none_better_than: &'static str,
+        within: &'static str,
+    },
     Found {
         proved: bool,
         how: &'static str,
@@ -86,7 +92,7 @@ pub fn about(approximated: &Approximated) -> String {
     let goal = goal(&approximated.search, &symbol(quantity, approximated.degree));
     match &approximated.best {
         Best::Proved(_, gap) => format!("{goal}, proved up to {}", within(gap)),
-        Best::NotAsked | Best::Open(_) => format!("best found for: {goal}"),
+        Best::NotAsked | Best::Zero | Best::Open(_) => format!("best found for: {goal}"),
     }
 }
 
@@ -115,9 +121,10 @@ impl Page for Approximating<'_> {
             ),
             _ => format!("{word}  {name}: {bounds} on the whole patch\n\n"),
         };
-        text += &format!("{}\n", statement.title());
+        text += &format!("{}\nSurface: {}\n", statement.title(), surface_equation(statement));
         text += &match best {
             Best::Proved(_, gap) => format!("{goal}, proved up to {} of it\n", within(gap)),
+            Best::Zero => format!("{goal}: it is 0, and nothing is less\n"),
             _ => format!("best found for: {goal}; found by search, not proved best\n"),
         };
         text += &format!("at {}\n\n", self.taken());
@@ -125,9 +132,9 @@ impl Page for Approximating<'_> {
         if let Best::Proved(barrier, gap) = best {
             text += &barrier_text(barrier, gap);
         }
-        text += &checked_text(&enclosure.theorem, &self.files);
+        text += &checked_text(enclosure.proof.theorem(), &self.files);
         if let (Best::Proved(barrier, _), Some(files)) = (best, &self.barrier) {
-            text += &checked_text(&barrier.theorem, files);
+            text += &checked_text(barrier.proof.theorem(), files);
         }
         text += &self.picture.as_ref().map_or_else(String::new, Picture::text);
         Ok(text)
@@ -160,9 +167,10 @@ impl Page for Approximating<'_> {
                     none_better_than: gap.unreached.to_string(),
                     within: gap.relative().to_string(),
                     boxes: barrier.boxes,
-                    theorem: barrier.theorem.sentence(),
+                    theorem: barrier.proof.theorem().sentence(),
                     certificate: self.barrier.as_ref().map(|files| files.certificate.display().to_string()),
                 },
+                Best::Zero => BestData::Zero { proved: true, none_better_than: "0", within: "0" },
                 _ => BestData::Found { proved: false, how: "best found by search" },
             },
             open: open.map(ToString::to_string),
@@ -176,6 +184,9 @@ impl Approximating<'_> {
     /// Which values were taken.
     fn taken(&self) -> String {
         let found = &self.approximated.found;
+        if found.recognised && matches!(self.approximated.best, Best::Zero) {
+            return "exact values recognised near those found".to_owned();
+        }
         if found.recognised {
             return "exact values recognised near those found; that they are the best is a guess, the bounds are proved"
                 .to_owned();

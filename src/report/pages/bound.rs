@@ -64,7 +64,7 @@ impl Page for Bounding<'_> {
         };
         text += &format!("\n{}\n\n", statement.title());
         text += &enclosure_details(statement, enclosure, *degree);
-        text += &checked_text(&enclosure.theorem, &self.files);
+        text += &checked_text(enclosure.proof.theorem(), &self.files);
         text += &self.picture.as_ref().map_or_else(String::new, Picture::text);
         Ok(text)
     }

@@ -49,7 +49,7 @@ impl Page for Constructing<'_> {
 
     fn data(&self) -> Result<ConstructedData, Limit> {
         let Constructed { shape, made } = self.constructed;
-        let theorem = made.cover.as_ref().map_or(&made.exact.1, |(_, theorem)| theorem);
+        let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
         Ok(ConstructedData {
             name: shape.name.clone(),
             bidegree: (made.net.len() - 1, made.net[0].len() - 1),

@@ -8,6 +8,7 @@ use crate::exact::Limit;
 use crate::report::attempt::Files;
 use crate::report::construction::{impossible_headline, impossible_text};
 use crate::report::degrees::ArgumentData;
+use crate::report::headline::surface_equation;
 use crate::report::json::FilesData;
 use crate::report::page::Page;
 use crate::report::stopped::{BestSoFarData, best_so_far_text, stopped_by};
@@ -134,7 +135,8 @@ impl Page for Undecided {
         let name = if self.named { format!("{}: ", self.name) } else { String::new() };
         let best = self.best.as_ref().map(|(statement, best)| best_so_far_text(statement, best));
         let best = best.map_or_else(String::new, |best| format!("\n{best}"));
-        Ok(format!("{}  {name}{}\n{best}", self.verdict(), self.reason))
+        let surface = self.patch.as_ref().map(|patch| format!("Surface: {}\n", surface_equation(patch)));
+        Ok(format!("{}  {name}{}\n{}{best}", self.verdict(), self.reason, surface.unwrap_or_default()))
     }
 
     fn data(&self) -> Result<UndecidedData, Limit> {

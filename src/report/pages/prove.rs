@@ -34,10 +34,10 @@ impl Page for Proving<'_> {
     }
 
     fn text(&self) -> Result<String, Limit> {
-        let Proved { source, attempt, extended } = self.proved;
+        let Proved { source, problem, attempt, extended } = self.proved;
         let named = (source.name.as_str(), self.called);
         let files = self.files.as_ref();
-        let mut text = describe(named, &source.statement, source.cap, attempt, files, self.control)?;
+        let mut text = describe(named, problem, source.cap, attempt, files, self.control)?;
         if *extended {
             text += &format!("Extended     radicands = {:?}\n", source.statement.field().values());
         }
@@ -45,8 +45,8 @@ impl Page for Proving<'_> {
     }
 
     fn data(&self) -> Result<ProvingData, Limit> {
-        let Proved { source, attempt, .. } = self.proved;
+        let Proved { source, problem, attempt, .. } = self.proved;
         let files = self.files.as_ref();
-        json::attempt(&source.name, &source.statement, attempt, files, self.control).map(ProvingData)
+        json::attempt(&source.name, problem, attempt, files, self.control).map(ProvingData)
     }
 }
