@@ -37,6 +37,7 @@ pub mod expand;
 pub mod audit;
 #[cfg(feature = "figures")]
 pub mod figure;
+pub mod commands;
 pub mod report;
 
 #[cfg(feature = "cli")]

@@ -5,61 +5,23 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::arguments::{Format, to_json};
-use super::check::examine_within;
-use super::control::stopped;
-use super::outcome::{Failure, Outcome, Status};
-use super::source::Source;
+use prove_cap_kernel::command::{self, examine_within};
+
+use super::outcome::Ended;
+use super::source::default_directory;
+use crate::commands::{Failure, Source, Undecided};
 use crate::control::{Control, Interrupted};
 use crate::exact::Work;
 use crate::report::Files;
-use crate::report::stopped::stopped_by;
+use crate::report::pages::Unchecked;
 use crate::statement::Statement;
 
 /// How often it is looked whether another run is done with a directory.
 const LOOK: Duration = Duration::from_millis(5);
 
-/// Why files that were written have no verdict.
-#[derive(Debug)]
-pub(super) enum Unchecked {
-    /// Something failed.
-    Failure(Failure),
-    /// The work was stopped while the checker read what had been written.
-    /// `None` before anything was written.
-    Stopped(Interrupted, Option<Files>),
-}
-
-impl From<Failure> for Unchecked {
-    fn from(failure: Failure) -> Self {
-        Unchecked::Failure(failure)
-    }
-}
-
-impl Unchecked {
-    /// What it comes to: the files are there, and can be checked later.
-    pub(super) fn outcome(self, name: &str, format: Format) -> Result<Outcome, Failure> {
-        let (why, files) = match self {
-            Unchecked::Failure(failure) => return Err(failure),
-            Unchecked::Stopped(why, None) => return stopped(name, format, &why),
-            Unchecked::Stopped(why, Some(files)) => (why, files),
-        };
-        let [statement, certificate] =
-            [&files.statement, &files.certificate].map(|file| file.display().to_string());
-        let reason = format!("an argument was found and written, but its check was stopped: {why}");
-        let text = match format {
-            Format::Json => to_json(&serde_json::json!({
-                "verdict": "UNDECIDED",
-                "name": name,
-                "reason": reason,
-                "stopped": stopped_by(why.why),
-                "files": { "statement": statement, "certificate": certificate },
-            }))?,
-            _ => format!(
-                "UNDECIDED  {name}: {reason}\n\nTo go on: prove-cap check {statement} {certificate}\n"
-            ),
-        };
-        Ok(Outcome { text, status: Status::Undecided })
-    }
+/// Reads a file, but not more than one byte beyond its limit.
+pub(super) fn read_limited(file: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
+    command::read_limited(file, limit).map_err(|failure| Failure::from(failure).of_file(file))
 }
 
 /// Writes a statement and its certificate, and lets the independent checker judge the bytes that are on disk.
@@ -68,12 +30,12 @@ pub(super) fn write_and_check(
     directory: Option<&Path>,
     (certificate, name): (&str, &str),
     control: &Control,
-) -> Result<Files, Unchecked> {
+) -> Result<Files, Ended> {
     let directory = match directory {
         Some(directory) => directory.to_path_buf(),
-        None => vacant(source.default_directory(), &source.statement)?,
+        None => vacant(default_directory(source), &source.statement)?,
     };
-    write_pair(&directory, &source.text, (certificate, name), control)
+    write_pair(&directory, (&source.name, &source.text), (certificate, name), control)
 }
 
 /// Writes a statement and a certificate into a directory that holds no other statement, and lets the checker judge them.
@@ -83,25 +45,24 @@ pub(super) fn write_and_check(
 /// statement and is refused for that.
 pub(super) fn write_pair(
     directory: &Path,
-    statement: &str,
-    (certificate, name): (&str, &str),
+    (name, statement): (&str, &str),
+    (certificate, file): (&str, &str),
     control: &Control,
-) -> Result<Files, Unchecked> {
+) -> Result<Files, Ended> {
     fs::create_dir_all(directory)
-        .map_err(|error| Failure(format!("{}: cannot be created: {error}", directory.display())))?;
-    let files = Files { statement: directory.join("statement.toml"), certificate: directory.join(name) };
-    let _alone = alone_in(directory, control).map_err(|why| Unchecked::Stopped(why, None))?;
+        .map_err(|error| Failure::in_file(directory, format!("cannot be created: {error}")))?;
+    let files = Files { statement: directory.join("statement.toml"), certificate: directory.join(file) };
+    let _alone = alone_in(directory, control).map_err(|why| Undecided::stopped(name, why))?;
     write_atomically(&files.statement, statement.as_bytes())?;
     write_atomically(&files.certificate, certificate.as_bytes())?;
     match examine_within(&files.statement, &files.certificate, &mut control.work()) {
         Ok(Ok(_)) => Ok(files),
         Ok(Err(rejection)) => {
-            let fault = format!("the checker refuses the files just written: {rejection}");
-            Err(Unchecked::Failure(Failure(fault)))
+            Err(Failure::new(format!("the checker refuses the files just written: {rejection}")).into())
         }
         Err(failure) => Err(match control.check() {
-            Ok(()) => Unchecked::Failure(failure),
-            Err(why) => Unchecked::Stopped(why, Some(files)),
+            Ok(()) => Failure::from(failure).into(),
+            Err(why) => Ended::Unchecked(Box::new(Unchecked { name: name.to_owned(), why, files })),
         }),
     }
 }
@@ -131,7 +92,8 @@ pub(super) fn vacant(directory: PathBuf, statement: &Statement) -> Result<PathBu
         fs::read(&present).ok().and_then(|bytes| Statement::read_bytes(&bytes, &mut Work::full()).ok());
     match other {
         Some(other) if other.hash() != statement.hash() => {
-            Err(Failure(format!("{} holds another statement; name a directory with -o", present.display())))
+            let fault = "holds another statement; name a directory with -o";
+            Err(Failure::new(format!("{} {fault}", present.display())))
         }
         _ => Ok(directory),
     }
@@ -139,10 +101,10 @@ pub(super) fn vacant(directory: PathBuf, statement: &Statement) -> Result<PathBu
 
 /// To a temporary file beside the target, then renamed: whoever looks sees the old file or the new one.
 pub(super) fn write_atomically(target: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let cannot = |error: std::io::Error| Failure(format!("{}: cannot be written: {error}", target.display()));
+    let cannot = |error: std::io::Error| Failure::in_file(target, format!("cannot be written: {error}"));
     // What a link points to is replaced, not the link; a device or a directory is not replaced at all.
     if fs::metadata(target).is_ok_and(|present| !present.is_file()) {
-        return Err(Failure(format!("{}: cannot be written: it is not a regular file", target.display())));
+        return Err(Failure::in_file(target, "cannot be written: it is not a regular file"));
     }
     let resolved = fs::canonicalize(target).unwrap_or_else(|_| target.to_path_buf());
     let target = resolved.as_path();

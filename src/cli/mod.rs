@@ -1,13 +1,10 @@
 //! The command line: one file for each subcommand, and the only place that prints or exits.
 
-pub use prove_cap_kernel::outcome;
-
-use prove_cap_kernel::command as check;
-
 mod approximate;
 mod arguments;
 mod audit;
 mod bound;
+mod check;
 mod construct;
 mod control;
 mod degrees;
@@ -15,11 +12,11 @@ mod expand;
 mod export;
 mod files;
 mod list;
+pub mod outcome;
 mod plot;
-mod polygon;
 mod prove;
+mod run;
 mod source;
 mod table;
-mod values;
 
-pub use arguments::run;
+pub use run::run;

@@ -2,82 +2,39 @@
 
 use std::path::Path;
 
-use super::arguments::{Format, to_json};
-use super::control::{Limits, under_control};
+use super::arguments::ProveOptions;
+use super::control::under_control;
 use super::files::write_and_check;
-use super::outcome::{Failure, Outcome, Status};
-use super::source::Source;
+use super::outcome::{Ended, Format, Outcome};
+use super::source::find;
+use crate::commands::{self, Failure};
 use crate::control::Control;
-use crate::problem::Problem;
-use crate::prove::{Attempt, Reason, solve};
-use crate::report::{describe, json};
+use crate::prove::Attempt;
+use crate::report::pages::Proving;
 
-pub(super) fn run(
-    name_or_file: &Path,
-    directory: Option<&Path>,
-    extend: bool,
-    limits: &Limits,
-    format: Format,
-) -> Result<Outcome, Failure> {
-    under_control(limits, (&name_or_file.to_string_lossy(), format), |control| {
-        let source = Source::find_within(name_or_file, control)?;
-        carried_out(name_or_file, source, (directory, extend), format, control)
-    })
+/// The statement that is proved when nothing else is asked for: the paper's theorem.
+const DEFAULT: &str = "cap-2x2";
+
+pub(super) fn run(source: Option<&Path>, options: &ProveOptions, format: Format) -> Result<Outcome, Failure> {
+    let called = source.unwrap_or(Path::new(DEFAULT));
+    let name = called.to_string_lossy();
+    under_control(&options.limits, (&name, format), |control| carried_out(called, options, format, control))
 }
 
 fn carried_out(
-    name_or_file: &Path,
-    source: Source,
-    (directory, extend): (Option<&Path>, bool),
+    called: &Path,
+    options: &ProveOptions,
     format: Format,
     control: &Control,
-) -> Result<Outcome, Failure> {
-    let (mut source, mut added) = (source, false);
-    let (problem, attempt) = loop {
-        let problem = Problem::of(&source.statement, control);
-        let attempt = solve(&problem, control).map_err(Failure::of)?;
-        match extension_of(&attempt).filter(|_| extend) {
-            // Each time the field grows, and four radicands are the limit.
-            Some(radicands) => source = source.with_radicands(radicands)?,
-            None => break (problem, attempt),
-        }
-        added = true;
-    };
-    let files = match &attempt {
+) -> Result<Outcome, Ended> {
+    let proved = &commands::prove(find(called, control)?, options.extend, control)?;
+    let files = match &proved.attempt {
         Attempt::Proved { proof, .. } => {
-            match write_and_check(&source, directory, (proof.text(), "certificate.txt"), control) {
-                Ok(files) => Some(files),
-                Err(unchecked) => return unchecked.outcome(&source.name, format),
-            }
+            let certificate = (proof.text(), "certificate.txt");
+            Some(write_and_check(&proved.source, options.output.as_deref(), certificate, control)?)
         }
         Attempt::Undecided(_) => None,
     };
-    let text = match format {
-        Format::Text | Format::Latex => {
-            let named = (source.name.as_str(), &*name_or_file.to_string_lossy());
-            let described = describe(named, &problem, source.cap, &attempt, files.as_ref(), control);
-            let mut text = described.map_err(Failure::of)?;
-            if added {
-                text += &format!("Extended     radicands = {:?}\n", source.statement.field().values());
-            }
-            text
-        }
-        Format::Json => {
-            let data = json::attempt(&source.name, &problem, &attempt, files.as_ref(), control)
-                .map_err(Failure::of)?;
-            to_json(&data)?
-        }
-    };
-    let status = if files.is_some() { Status::Established } else { Status::Undecided };
-    Ok(Outcome { text, status })
-}
-
-/// The radicands with which an undecided statement is exact.
-fn extension_of(attempt: &Attempt) -> Option<&[u32]> {
-    match attempt {
-        Attempt::Undecided(Reason::Consistent(consistent)) => {
-            consistent.extension.as_ref().map(|extension| extension.radicands.as_slice())
-        }
-        _ => None,
-    }
+    let called = &*called.to_string_lossy();
+    Ok(Outcome::of(&Proving { proved, called, files, control }, format)?)
 }

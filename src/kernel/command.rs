@@ -70,7 +70,8 @@ pub fn canonical(statement: &Path) -> Result<Outcome, Failure> {
     Ok(Outcome::plain(read.canonical()))
 }
 
-fn verified(theorem: &Theorem) -> String {
+/// What `check` prints of a theorem.
+pub fn verified(theorem: &Theorem) -> String {
     let statement = theorem.statement();
     let mut lines = vec![format!("VERIFIED  {}", theorem.kind())];
     lines.push(String::new());

@@ -7,14 +7,23 @@ use std::process::ExitCode;
 /// The exit status and what it means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// 0: VERIFIED, PROVED, EXACT; the full claim is established. Also for commands that claim nothing.
+    /// 0: VERIFIED; the claim is established. Also for what claims nothing.
     Established,
     /// 1: REJECTED; the certificate is wrong.
     Wrong,
-    /// 3: UNDECIDED.
-    Undecided,
-    /// 2: ERROR, where it is told as data on stdout; else it is a [`Failure`].
+    /// 2: ERROR; what a [`Failure`] comes to.
     Failed,
+}
+
+impl Status {
+    /// The number.
+    pub const fn code(self) -> u8 {
+        match self {
+            Status::Established => 0,
+            Status::Wrong => 1,
+            Status::Failed => 2,
+        }
+    }
 }
 
 /// What a command prints on stdout, and how it exits.
@@ -44,29 +53,31 @@ impl Outcome {
     }
 }
 
+/// Prints a text on stdout.
+///
+/// # Errors
+/// Where it cannot be written. A reader that closes the pipe early has seen enough.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut stdout = std::io::stdout().lock();
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure(format!("the result cannot be written: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Prints what a command came to and turns it into the exit status.
 pub fn finish(result: Result<Outcome, Failure>) -> ExitCode {
-    let printed = result.and_then(|outcome| {
-        let mut stdout = std::io::stdout().lock();
-        let written = stdout.write_all(outcome.text.as_bytes()).and_then(|()| stdout.flush());
-        match written {
-            // A reader that closes the pipe early has seen enough; any other loss is an error.
-            Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-                Err(Failure(format!("the result cannot be written: {error}")))
-            }
-            _ => Ok(outcome),
-        }
-    });
-    match printed {
-        Ok(outcome) => match outcome.status {
-            Status::Established => ExitCode::SUCCESS,
-            Status::Wrong => ExitCode::from(1),
-            Status::Undecided => ExitCode::from(3),
-            Status::Failed => ExitCode::from(2),
-        },
-        Err(Failure(message)) => {
-            let _ = writeln!(std::io::stderr().lock(), "ERROR: {}", message.trim_end());
-            ExitCode::from(2)
-        }
-    }
+    let status = match result.and_then(|outcome| print(&outcome.text).map(|()| outcome.status)) {
+        Ok(status) => status,
+        Err(failure) => failed(&failure),
+    };
+    ExitCode::from(status.code())
+}
+
+/// Tells of a failure on stderr.
+pub fn failed(Failure(message): &Failure) -> Status {
+    let _ = writeln!(std::io::stderr().lock(), "ERROR: {}", message.trim_end());
+    Status::Failed
 }

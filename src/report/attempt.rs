@@ -32,7 +32,7 @@ pub struct Files {
 ///
 /// # Errors
 /// Where a coefficient exceeds what the formats allow.
-pub fn describe(
+pub(super) fn describe(
     (name, source): (&str, &str),
     problem: &Problem,
     cap: bool,

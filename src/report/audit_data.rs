@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::audit::{phrase_text, verdict_word};
+use super::audit::phrase_text;
 use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
 use super::stopped::stopped_by;
@@ -14,7 +14,6 @@ use crate::statement::Statement;
 /// An audit.
 #[derive(Debug, Serialize)]
 pub struct AuditData {
-    verdict: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     stopped: Option<&'static str>,
     title: String,
@@ -87,7 +86,7 @@ struct ClaimData {
 }
 
 /// An audit as data.
-pub fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit) -> AuditData {
+pub(super) fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit) -> AuditData {
     let ring = statement.ring();
     let notation = Notation::new(ring.clone());
     let claims = audit.claims.iter().map(|verdict| ClaimData {
@@ -102,7 +101,6 @@ pub fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit
         remark: verdict.claim.remark.clone(),
     });
     AuditData {
-        verdict: verdict_word(audit.verdict()),
         stopped: audit.stopped.as_ref().map(|stopped| stopped_by(stopped.why)),
         title: listing.title.clone(),
         source: listing.source.clone(),

@@ -4,16 +4,17 @@ use std::fmt::Write as _;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed};
-use serde_json::{Value, json};
+use num_traits::One;
+use serde::Serialize;
 
 use super::attempt::{Files, wrapped_at};
-use super::json::{CONVENTION, statement as statement_data};
+use super::json::{CONVENTION, StatementData, ValueData, statement as statement_data, values_data};
 use super::mathematics::Notation;
 use super::rounding::{Towards, rounded};
 use crate::approximation::{Barrier, Enclosure, EndVerdict, Finding};
-use crate::certificate::{Bounds, Quantity, decimal_value, spell_decimal};
+use crate::certificate::{Bounds, End, Quantity, decimal_value, spell_decimal};
 use crate::checker::Theorem;
+use crate::commands::Gap;
 use crate::exact::{Limit, Polynomial, Work};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
@@ -177,44 +178,93 @@ fn with_true_minus(text: &str) -> String {
 }
 
 /// An enclosure as data.
-pub fn enclosure_data(
-    (verdict, name): (&str, &str),
+#[derive(Debug, Serialize)]
+pub struct EnclosureData {
+    name: String,
+    statement: StatementData,
+    values: Vec<ValueData>,
+    convention: &'static str,
+    net: Option<Vec<Vec<[String; 4]>>>,
+    decimals: Option<DecimalNetData>,
+    quantity: &'static str,
+    places: u32,
+    lower: EndData,
+    upper: EndData,
+    boxes: BoxesData,
+    theorem: String,
+    certificate: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
+}
+
+/// A bound.
+#[derive(Debug, Serialize)]
+struct EndData {
+    bound: String,
+    near: [String; 2],
+    best: bool,
+}
+
+/// How many boxes each sign took.
+#[derive(Debug, Serialize)]
+struct BoxesData {
+    denominator: usize,
+    lower: usize,
+    upper: usize,
+}
+
+/// A net in decimals.
+#[derive(Debug, Serialize)]
+struct DecimalNetData {
+    places: u32,
+    convention: &'static str,
+    net: Vec<Vec<Vec<String>>>,
+}
+
+/// An enclosure as data.
+pub(super) fn enclosure_data(
+    name: &str,
     statement: &Statement,
     enclosure: &Enclosure,
     files: &Files,
-) -> Value {
+) -> EnclosureData {
     let bounds = &enclosure.bounds;
-    let ring = statement.ring();
-    let values: Vec<Value> = statement
-        .unknowns()
-        .iter()
-        .zip(&bounds.values)
-        .map(|(name, value)| json!({ "unknown": name, "value": ring.spell(value) }))
-        .collect();
-    let point = |at: &[BigRational; 2]| json!([at[0].to_string(), at[1].to_string()]);
     let count = |tree: &[bool]| tree.iter().filter(|halved| !**halved).count();
     let net = evaluated(statement, &bounds.values).ok();
-    let [low_best, high_best] = enclosure.best;
-    let mut data = json!({
-        "verdict": verdict,
-        "name": name,
-        "statement": statement_data(statement),
-        "values": values,
-        "convention": CONVENTION,
-        "net": net.as_ref().map(|net| super::json::net(statement, net)),
-        "decimals": net.and_then(|net| decimals(statement, &net).ok()),
-        "quantity": match bounds.quantity { Quantity::Radius => "radius", Quantity::Ratio => "ratio" },
-        "places": bounds.places,
-        "lower": { "bound": spell_decimal(&bounds.lower.bound, bounds.places), "near": point(&bounds.lower.at), "best": low_best },
-        "upper": { "bound": spell_decimal(&bounds.upper.bound, bounds.places), "near": point(&bounds.upper.at), "best": high_best },
-        "boxes": { "denominator": count(&bounds.denominator), "lower": count(&bounds.lower.tree), "upper": count(&bounds.upper.tree) },
-        "theorem": enclosure.proof.theorem().sentence(),
-        "certificate": files.certificate.display().to_string(),
-    });
-    if let (Quantity::Ratio, Subject::Patch(patch)) = (bounds.quantity, statement.subject()) {
-        data["note"] = no_distance(&symbol(bounds.quantity, patch.surface.degree())).into();
+    let end = |end: &End, best: bool| EndData {
+        bound: spell_decimal(&end.bound, bounds.places),
+        near: end.at.each_ref().map(ToString::to_string),
+        best,
+    };
+    let note = match (bounds.quantity, statement.subject()) {
+        (Quantity::Ratio, Subject::Patch(patch)) => {
+            Some(no_distance(&symbol(bounds.quantity, patch.surface.degree())))
+        }
+        _ => None,
+    };
+    EnclosureData {
+        name: name.to_owned(),
+        statement: statement_data(statement),
+        values: values_data(statement, &bounds.values),
+        convention: CONVENTION,
+        net: net.as_ref().map(|net| super::json::net(statement, net)),
+        decimals: net.and_then(|net| decimals(statement, &net).ok()),
+        quantity: match bounds.quantity {
+            Quantity::Radius => "radius",
+            Quantity::Ratio => "ratio",
+        },
+        places: bounds.places,
+        lower: end(&bounds.lower, enclosure.best[0]),
+        upper: end(&bounds.upper, enclosure.best[1]),
+        boxes: BoxesData {
+            denominator: count(&bounds.denominator),
+            lower: count(&bounds.lower.tree),
+            upper: count(&bounds.upper.tree),
+        },
+        theorem: enclosure.proof.theorem().sentence(),
+        certificate: files.certificate.display().to_string(),
+        note,
     }
-    data
 }
 
 /// The net at these values of the unknowns.
@@ -229,7 +279,7 @@ fn evaluated(statement: &Statement, values: &[Polynomial]) -> Result<Vec<Vec<Hom
 }
 
 /// The same in decimals that are cut off after 17 places.
-fn decimals(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Result<Value, Limit> {
+fn decimals(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Result<DecimalNetData, Limit> {
     const PLACES: u32 = 17;
     let number = |entry: &Polynomial| {
         crate::audit::decimal(entry, PLACES, statement.field()).map(|text| text.replace('−', "-"))
@@ -239,23 +289,32 @@ fn decimals(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Result<Valu
         let points = row.iter().map(|point| point.iter().map(number).collect::<Result<Vec<_>, _>>());
         rows.push(points.collect::<Result<Vec<_>, _>>()?);
     }
-    Ok(json!({ "places": PLACES, "convention": CONVENTION, "net": rows }))
+    Ok(DecimalNetData { places: PLACES, convention: CONVENTION, net: rows })
 }
 
-/// The verdicts on a printed interval as data.
-pub fn verdict_data(verdicts: &[EndVerdict]) -> Value {
-    let one = |verdict: &EndVerdict| {
+/// The verdict on an end of a printed interval as data.
+#[derive(Debug, Serialize)]
+pub(super) struct EndVerdictData {
+    printed: String,
+    relation: &'static str,
+    finding: &'static str,
+    at: Option<[String; 2]>,
+    value: Option<String>,
+}
+
+impl EndVerdictData {
+    pub(super) fn of(verdict: &EndVerdict) -> Self {
         let (finding, at, value) = match &verdict.finding {
             Finding::Bound => ("holds", None, None),
             Finding::Rounded => ("holds to the digits printed", None, None),
             Finding::Fails { at, value } => {
-                ("fails", Some(at.each_ref().map(ToString::to_string)), Some(value))
+                ("fails", Some(at.each_ref().map(ToString::to_string)), Some(value.clone()))
             }
             Finding::Open => ("open", None, None),
         };
-        json!({ "printed": verdict.printed, "relation": verdict.relation, "finding": finding, "at": at, "value": value })
-    };
-    verdicts.iter().map(one).collect()
+        let (printed, relation) = (verdict.printed.clone(), verdict.relation);
+        EndVerdictData { printed, relation, finding, at, value }
+    }
 }
 
 /// That no values do better, and how much those that were found may be worse than the best: both rounded so that it stays true.
@@ -268,27 +327,6 @@ pub fn barrier_text(barrier: &Barrier, gap: &Gap) -> String {
         rounded(&gap.reached, 7, Towards::Above),
         rounded(&gap.relative(), 1, Towards::Above)
     )
-}
-
-/// Between what values were found to reach and what none reach.
-#[derive(Debug, Clone)]
-pub struct Gap {
-    /// The largest distance of the quantity from what it is on the surface, at most, at the values that were found.
-    pub reached: BigRational,
-    /// What it is at least, for all values.
-    pub unreached: BigRational,
-}
-
-impl Gap {
-    /// By which part of it the values found may be worse than the best.
-    pub fn relative(&self) -> BigRational {
-        (&self.reached - &self.unreached) / &self.unreached
-    }
-}
-
-/// The largest distance from the surface, as a rational.
-pub fn error_value(units: &BigInt, places: u32) -> BigRational {
-    decimal_value(&units.abs(), places)
 }
 
 /// What is measured: `r − 1`, or `F/W²`.

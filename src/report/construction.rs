@@ -3,18 +3,16 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use serde_json::{Value, json};
-
 use super::attempt::{Files, wrapped_at};
-use super::degrees::{ON_PAPER, reason};
+use super::degrees::{ON_PAPER, argument_text};
 use super::mathematics::Notation;
 use crate::algebra::{FieldElement, Polynomial as Computed, polynomial_to_exact};
 use crate::audit::decimal;
 use crate::checker::{Claim, Covered, Theorem};
-use crate::construction::{Cell, Construction, How, Tiled};
+use crate::commands::{Nonexistent, Tiled, Verdict};
+use crate::construction::{Construction, How};
 use crate::exact::{Limit, Radicands, Ring};
 use crate::geometry::{Point, Polygon, Split};
-use crate::statement::Subject;
 
 /// Decimals of a printed coordinate.
 const PLACES: u32 = 17;
@@ -42,6 +40,12 @@ impl Numbers {
         if text.contains(' ') || text.starts_with('−') { format!("({text})") } else { text }
     }
 
+    /// In the canonical spelling.
+    pub(super) fn spelled(&self, value: &FieldElement) -> Result<String, Limit> {
+        let ring = Ring { field: self.field.clone(), variables: vec![] };
+        Ok(ring.spell(&polynomial_to_exact(&Computed::constant(value.clone()))?))
+    }
+
     fn decimal(&self, value: &FieldElement) -> Result<String, Limit> {
         decimal(&polynomial_to_exact(&Computed::constant(value.clone()))?, PLACES, &self.field)
     }
@@ -62,23 +66,24 @@ pub(super) fn corners_text(polygon: &Polygon) -> String {
 ///
 /// # Errors
 /// Where a number exceeds what the formats allow.
-pub fn constructed_text(
+pub(super) fn constructed_text(
     name: &str,
     polygon: &Polygon,
     made: &Construction,
     files: &[Files],
 ) -> Result<String, Limit> {
     let (m, n) = (made.net.len() - 1, made.net[0].len() - 1);
+    let word = Verdict::Exact;
     let mut text = String::new();
     let _ = match &made.cover {
         Ok(proof) => writeln!(
             text,
-            "EXACT  {name}: a patch of bidegree ({m},{n}) on the unit sphere covers the polygon{}\n",
+            "{word}  {name}: a patch of bidegree ({m},{n}) on the unit sphere covers the polygon{}\n",
             how_covered(proof.theorem())
         ),
         Err(why) => writeln!(
             text,
-            "EXACT  {name}: a patch of bidegree ({m},{n}) lies on the unit sphere; that it covers the polygon is not shown\n       {why}\n"
+            "{word}  {name}: a patch of bidegree ({m},{n}) lies on the unit sphere; that it covers the polygon is not shown\n       {why}\n"
         ),
     };
     let _ = writeln!(text, "Corners, in the order of the boundary\n{}", corners_text(polygon));
@@ -192,45 +197,35 @@ fn how_text(polygon: &Polygon, how: &How) -> String {
     }
 }
 
+/// `no patch of bidegree (2,2) on the unit sphere covers the polygon exactly`.
+pub(super) fn impossible_headline((m, n): (u32, u32)) -> String {
+    format!("no patch of bidegree ({m},{n}) on the unit sphere covers the polygon exactly")
+}
+
 /// `construct` where there is no patch.
-pub fn impossible_text(name: &str, polygon: &Polygon, (m, n): (u32, u32), cell: Cell) -> String {
+pub(super) fn impossible_text(none: &Nonexistent) -> String {
     format!(
-        "PROVED  {name}: no patch of bidegree ({m},{n}) on the unit sphere covers the polygon exactly\n\n{}\n\n{}\n",
-        reason(polygon, (m, n), cell),
+        "{}  {}: {}\n\n{}\n\n{}\n",
+        Verdict::Nonexistent,
+        none.name,
+        impossible_headline(none.bidegree),
+        argument_text(&none.polygon, none.bidegree, none.cell),
         wrapped_at(ON_PAPER, 3)
     )
 }
 
-/// `construct` as data.
-pub fn constructed_data(name: &str, made: &Construction, files: &[Files]) -> Value {
-    let net = match made.statement.subject() {
-        Subject::Patch(patch) => Some(super::json::net(&made.statement, &patch.net)),
-        Subject::System(_) => None,
-    };
-    let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
-    json!({
-        "verdict": "EXACT",
-        "name": name,
-        "bidegree": (made.net.len() - 1, made.net[0].len() - 1),
-        "convention": super::json::CONVENTION,
-        "net": net,
-        "covers": made.cover.is_ok(),
-        "reason": made.cover.as_ref().err().map(ToString::to_string),
-        "theorem": theorem.sentence(),
-        "files": files.iter().map(|files| files.certificate.display().to_string()).collect::<Vec<_>>(),
-        "statement": super::json::statement(&made.statement),
-    })
-}
-
 /// `construct --tiling`.
-pub fn tiled_text(name: &str, (m, n): (u32, u32), tiled: &Tiled, whole: bool, directory: &Path) -> String {
+pub(super) fn tiled_text(answer: &Tiled, directory: &Path) -> String {
+    let Tiled { shape, bidegree: (m, n), tiled } = answer;
+    let name = &shape.name;
     let meets = tiled.seams.iter().filter(|seam| seam.meets).count();
     let covers = tiled.faces.iter().filter(|face| face.cover.is_ok()).count();
     let count = tiled.faces.len();
-    let verdict = match whole {
-        true => format!("EXACT  {name}: {count} patches of bidegree ({m},{n}) cover the unit sphere"),
+    let word = answer.verdict();
+    let verdict = match answer.whole() {
+        true => format!("{word}  {name}: {count} patches of bidegree ({m},{n}) cover the unit sphere"),
         false => format!(
-            "UNDECIDED  {name}: that {count} patches of bidegree ({m},{n}) cover the unit sphere is not shown"
+            "{word}  {name}: that {count} patches of bidegree ({m},{n}) cover the unit sphere is not shown"
         ),
     };
     let degenerate =
@@ -250,17 +245,4 @@ pub fn tiled_text(name: &str, (m, n): (u32, u32), tiled: &Tiled, whole: bool, di
         tiled.seams.len(),
         directory.display()
     )
-}
-
-/// `construct --tiling` as data.
-pub fn tiled_data(name: &str, tiled: &Tiled, whole: bool) -> Value {
-    let seams: Vec<Value> =
-        tiled.seams.iter().map(|seam| json!({ "faces": seam.faces, "meets": seam.meets })).collect();
-    json!({
-        "verdict": if whole { "EXACT" } else { "UNDECIDED" },
-        "name": name,
-        "faces": tiled.faces.len(),
-        "covering": tiled.faces.iter().filter(|face| face.cover.is_ok()).count(),
-        "seams": seams,
-    })
 }

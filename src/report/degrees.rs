@@ -2,29 +2,23 @@
 
 use std::fmt::Write as _;
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::attempt::{Files, wrapped_at};
 use super::construction::{Numbers, corners_text, how_covered};
-use crate::construction::{Cell, Construction, Phase, classify, triple_products};
+use crate::commands::{Degrees, Shape, Verdict};
+use crate::construction::{Cell, Phase, classify, triple_products};
+use crate::exact::Limit;
 use crate::geometry::{Complex, Polygon};
-
-/// What was computed and verified for a table.
-#[derive(Debug, Default)]
-pub struct Backing {
-    /// The refutation of the closing condition.
-    pub closing: Option<Files>,
-    /// Exact patches.
-    pub nets: Vec<((u32, u32), Construction, Vec<Files>)>,
-}
 
 /// What stands behind the lemmas.
 pub(super) const ON_PAPER: &str = "The lemmas, with their hypotheses and proofs, are in proofs/STRUCTURE.md: mathematics on paper, which no program has \
      checked.";
 
 /// `degrees`.
-pub fn degrees_text(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing) -> String {
-    let phase = Phase::of(polygon);
+pub(super) fn degrees_text(degrees: &Degrees, closing: Option<&Files>, nets: &[Vec<Files>]) -> String {
+    let Degrees { shape: Shape { name, polygon, .. }, phase, up_to, .. } = degrees;
+    let (phase, up_to) = (*phase, *up_to);
     let mut text = String::new();
     let condition = match phase {
         Phase::Open => "min(m,n) ≥ 2 and max(m,n) ≥ 4",
@@ -33,7 +27,8 @@ pub fn degrees_text(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing
     };
     let _ = writeln!(
         text,
-        "PROVED  {name}: on the unit sphere bidegree (m,n) is exact if and only if {condition}\n"
+        "{}  {name}: on the unit sphere bidegree (m,n) is exact if and only if {condition}\n",
+        Verdict::Classified
     );
     let _ = writeln!(text, "Corners, in the order of the boundary\n{}", corners_text(polygon));
     text += &holonomy_text(polygon);
@@ -65,14 +60,14 @@ pub fn degrees_text(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing
     }
     text += "\nThe argument for a cell: --explain M N. The lemmas, with their hypotheses and proofs, are in proofs/STRUCTURE.md:\n\
              mathematics on paper. The independent checker has verified the files that are named here.\n\n";
-    if let Some(files) = &backing.closing {
+    if let Some(files) = closing {
         let _ = writeln!(
             text,
             "   ×        the closing condition has no solution: VERIFIED  {}",
             files.certificate.display()
         );
     }
-    for ((m, n), made, files) in &backing.nets {
+    for (((m, n), made), files) in degrees.nets.iter().zip(nets) {
         let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
         let last = files.last().map_or_else(String::new, |files| files.certificate.display().to_string());
         let _ = writeln!(
@@ -121,7 +116,7 @@ fn holonomy_text(polygon: &Polygon) -> String {
 }
 
 /// `degrees --explain M N`.
-pub fn explain(name: &str, polygon: &Polygon, bidegree: (u32, u32)) -> String {
+pub(super) fn explain(name: &str, polygon: &Polygon, bidegree: (u32, u32)) -> String {
     let cell = classify(Phase::of(polygon), bidegree);
     let (m, n) = bidegree;
     let verdict = match cell {
@@ -130,55 +125,131 @@ pub fn explain(name: &str, polygon: &Polygon, bidegree: (u32, u32)) -> String {
         Cell::Exact(_) => "exact patches",
     };
     format!(
-        "PROVED  {name}: on the unit sphere bidegree ({m},{n}) has {verdict}\n\n{}\n\n{}\n",
-        reason(polygon, bidegree, cell),
+        "{}  {name}: on the unit sphere bidegree ({m},{n}) has {verdict}\n\n{}\n\n{}\n",
+        Verdict::Classified,
+        argument_text(polygon, bidegree, cell),
         wrapped_at(ON_PAPER, 3)
     )
 }
 
+/// A part of an argument.
+enum Part {
+    /// A paragraph.
+    Words(String),
+    /// Z and its imaginary part, for this polygon.
+    Holonomy,
+}
+
+/// The argument for one cell, for people.
+pub(super) fn argument_text(polygon: &Polygon, bidegree: (u32, u32), cell: Cell) -> String {
+    let indented =
+        |text: String| text.lines().map(|line| format!("   {line}")).collect::<Vec<_>>().join("\n");
+    let parts = argument(polygon, bidegree, cell).into_iter().map(|part| match part {
+        Part::Words(words) => wrapped_at(&words, 3),
+        Part::Holonomy => indented(holonomy_text(polygon)),
+    });
+    parts.collect::<Vec<_>>().join("\n\n")
+}
+
+/// The same as data.
+#[derive(Debug, Serialize)]
+pub(super) struct ArgumentData {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lemma: Option<&'static str>,
+    /// Paragraphs.
+    argument: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    holonomy: Option<HolonomyData>,
+    /// Where the lemmas are.
+    on_paper: &'static str,
+}
+
+/// Z of the polygon.
+#[derive(Debug, Serialize)]
+struct HolonomyData {
+    /// [123], [234], [341], [412]: their sum is a positive multiple of Im Z.
+    triple_products: Vec<String>,
+    sum: String,
+    /// Z/|Z|, where it is in the field: real and imaginary part.
+    direction: Option<[String; 2]>,
+}
+
+impl ArgumentData {
+    pub(super) fn of(polygon: &Polygon, bidegree: (u32, u32), cell: Cell) -> Result<Self, Limit> {
+        let (mut paragraphs, mut holonomy) = (Vec::new(), None);
+        for part in argument(polygon, bidegree, cell) {
+            match part {
+                Part::Words(words) => paragraphs.push(words),
+                Part::Holonomy => holonomy = Some(HolonomyData::of(polygon)?),
+            }
+        }
+        let lemma = match cell {
+            Cell::NoSurface => Some("parity"),
+            Cell::NoClosure | Cell::LongerWay => Some("holonomy"),
+            Cell::Exact(_) => None,
+        };
+        Ok(ArgumentData { lemma, argument: paragraphs, holonomy, on_paper: "proofs/STRUCTURE.md" })
+    }
+}
+
+impl HolonomyData {
+    fn of(polygon: &Polygon) -> Result<Self, Limit> {
+        let numbers = Numbers::new(polygon);
+        let (products, sum) = triple_products(polygon);
+        let products: Result<_, _> = products.iter().map(|product| numbers.spelled(product)).collect();
+        let direction = polygon
+            .holonomy()
+            .direction()
+            .map(|Complex { re, im }| Ok::<_, Limit>([numbers.spelled(&re)?, numbers.spelled(&im)?]));
+        Ok(HolonomyData {
+            triple_products: products?,
+            sum: numbers.spelled(&sum)?,
+            direction: direction.transpose()?,
+        })
+    }
+}
+
 /// The argument for one cell.
-pub(super) fn reason(polygon: &Polygon, (m, n): (u32, u32), cell: Cell) -> String {
+fn argument(polygon: &Polygon, (m, n): (u32, u32), cell: Cell) -> Vec<Part> {
     let parity = "Parity. Let X, Y, Z, W be without common factor and X² + Y² + Z² = W². In C[u,v], which has unique factorisation, \
          (X + iY)(X − iY) = (W + Z)(W − Z) makes W + Z = 2|α|², W − Z = 2|β|², X + iY = 2ᾱβ up to one sign, and the \
          degrees of W in u and in v are twice those of the spinor (α, β). A common factor moves no point; without it the degrees are even.";
+    let words = |text: &str| Part::Words(text.to_owned());
     let even = (m - m % 2, n - n % 2);
-    let paragraphs = match cell {
+    match cell {
         Cell::NoSurface => vec![
-            parity.to_owned(),
-            format!(
+            words(parity),
+            Part::Words(format!(
                 "Here bidegree ({m},{n}) leaves at most ({},{}): the patch does not depend on {}, and two corners coincide.",
                 even.0,
                 even.1,
                 if even.0 == 0 { "u" } else { "v" }
-            ),
+            )),
         ],
         Cell::NoClosure | Cell::LongerWay => {
-            let mut paragraphs = vec![];
+            let mut parts = vec![];
             if even != (m, n) {
-                paragraphs.push(parity.to_owned());
-                paragraphs.push(format!(
+                parts.push(words(parity));
+                parts.push(Part::Words(format!(
                     "Here bidegree ({m},{n}) leaves at most ({},{}), a bilinear spinor.",
                     even.0, even.1
-                ));
+                )));
             } else {
-                paragraphs.push(format!("{parity} Here the spinor is bilinear."));
+                parts.push(Part::Words(format!("{parity} Here the spinor is bilinear.")));
             }
-            paragraphs.push(
+            parts.push(words(
                 "Holonomy. Along an edge the spinor runs linearly from a to b. Its image lies in a great circle, and a and b belong to \
                  different points that are not antipodal: then ⟨a,b⟩ is real. Around the quadrilateral, the product of the four \
-                 products, Π|c|²·Z, would be real, with Z = ⟨s₁,s₂⟩⟨s₂,s₃⟩⟨s₃,s₄⟩⟨s₄,s₁⟩ for any spinors s of the corners."
-                    .to_owned(),
-            );
-            paragraphs.push(holonomy_text(polygon).trim_end().to_owned());
-            paragraphs.push(match cell {
+                 products, Π|c|²·Z, would be real, with Z = ⟨s₁,s₂⟩⟨s₂,s₃⟩⟨s₃,s₄⟩⟨s₄,s₁⟩ for any spinors s of the corners.",
+            ));
+            parts.push(Part::Holonomy);
+            parts.push(words(match cell {
                 Cell::NoClosure => "It is not 0, so that Z is not real: there is no such patch, whatever its weights and control \
-                     points. (As equations in the corners' factors c, with a certificate: `degrees` writes it.)"
-                    .to_owned(),
+                     points. (As equations in the corners' factors c, with a certificate: `degrees` writes it.)",
                 _ => "It is 0, and Z is negative: the four products are real, but an odd number of them is negative, and such an edge \
-                     runs the longer way round."
-                    .to_owned(),
-            });
-            paragraphs
+                     runs the longer way round.",
+            }));
+            parts
         }
         Cell::Exact(base) => {
             let from = match (base == (m, n), base) {
@@ -200,43 +271,9 @@ pub(super) fn reason(polygon: &Polygon, (m, n): (u32, u32), cell: Cell) -> Strin
                      The spinor then has degree 2 along these edges and 1 across."
                 }
             };
-            vec![format!("Construction. {how}{from} `construct --bidegree {m} {n}` gives the net, verified.")]
+            vec![Part::Words(format!(
+                "Construction. {how}{from} `construct --bidegree {m} {n}` gives the net, verified."
+            ))]
         }
-    };
-    let wrapped = |paragraph: &String| match paragraph.contains('\n') {
-        true => paragraph.lines().map(|line| format!("   {line}")).collect::<Vec<_>>().join("\n"),
-        false => wrapped_at(paragraph, 3),
-    };
-    paragraphs.iter().map(wrapped).collect::<Vec<_>>().join("\n\n")
-}
-
-/// `degrees` as data.
-pub fn degrees_data(name: &str, polygon: &Polygon, up_to: u32, backing: &Backing) -> Value {
-    let phase = Phase::of(polygon);
-    let cell = |m: u32, n: u32| match classify(phase, (m, n)) {
-        Cell::NoSurface => json!({ "bidegree": (m, n), "verdict": "impossible", "lemma": "parity" }),
-        Cell::NoClosure => json!({ "bidegree": (m, n), "verdict": "impossible", "lemma": "holonomy" }),
-        Cell::LongerWay => json!({ "bidegree": (m, n), "verdict": "longer way", "lemma": "holonomy" }),
-        Cell::Exact(base) => json!({ "bidegree": (m, n), "verdict": "exact", "from": base }),
-    };
-    let cells: Vec<Value> =
-        (1..=up_to).flat_map(|m| (1..=up_to).map(move |n| (m, n))).map(|(m, n)| cell(m, n)).collect();
-    let nets: Vec<Value> = backing
-        .nets
-        .iter()
-        .map(|(base, made, files)| {
-            json!({
-                "bidegree": base,
-                "covers": made.cover.is_ok(),
-                "files": files.iter().map(|files| files.certificate.display().to_string()).collect::<Vec<_>>(),
-            })
-        })
-        .collect();
-    json!({
-        "verdict": "PROVED",
-        "name": name,
-        "cells": cells,
-        "closing": backing.closing.as_ref().map(|files| files.certificate.display().to_string()),
-        "nets": nets,
-    })
+    }
 }

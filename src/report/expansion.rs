@@ -3,21 +3,24 @@
 use std::fmt::Write as _;
 
 use super::mathematics::{Notation, superscript};
-use crate::exact::Limit;
-use crate::expand::{Basis, coefficients, grouped};
+use crate::expand::{Basis, Coefficient, grouped};
 use crate::statement::{Statement, Subject};
 
 /// `prove-cap expand` for people: a listing in plain notation, with comments, that `prove-cap audit` reads.
-pub fn describe_expansion(statement: &Statement, basis: Basis) -> Result<String, Limit> {
+pub(super) fn expansion_text(
+    statement: &Statement,
+    basis: Basis,
+    coefficients: Option<&[Coefficient]>,
+) -> String {
     let notation = Notation::new(statement.ring());
     let mut text = format!("# {}\n\n", statement.title());
-    let Some(list) = coefficients(statement, basis)? else {
+    let Some(list) = coefficients else {
         if let Subject::System(polynomials) = statement.subject() {
             for (number, polynomial) in (1..).zip(polynomials) {
                 let _ = writeln!(text, "f[{number}] = {}", notation.polynomial(polynomial));
             }
         }
-        return Ok(text);
+        return text;
     };
     let (last_r, last_s) = list.last().map_or((0, 0), |last| last.index);
     let (r, s) = match basis {
@@ -40,14 +43,14 @@ pub fn describe_expansion(statement: &Statement, basis: Basis) -> Result<String,
     for coefficient in list.iter().filter(|coefficient| !coefficient.value.is_zero()) {
         let _ = writeln!(text, "{:<width$} = {}", coefficient.name, notation.polynomial(&coefficient.value));
     }
-    let (distinct, zero) = grouped(&list);
+    let (distinct, zero) = grouped(list);
     let _ = writeln!(
         text,
         "\n# {} coefficients: {zero} zero, {} distinct among the others.",
         list.len(),
         distinct.len()
     );
-    Ok(text)
+    text
 }
 
 pub(super) fn superscript_of(number: u32) -> String {

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::attempt::Files;
+use super::stopped::stopped_by;
 
 use crate::algebra::{self, polynomial_to_exact};
 use crate::bezier::Image;
@@ -11,7 +12,7 @@ use crate::checker::{Claim, ExactNet, Solution, Theorem};
 use crate::control::Control;
 use crate::elimination::{Closure, Undecided, VALUES};
 use crate::exact::{Limit, Polynomial};
-use crate::expand::{Basis, Coefficient, ExpansionError, coefficients, coefficients_of};
+use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_of};
 use crate::problem::Problem;
 use crate::prove::{Attempt, Consistent, Reason, image_of};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
@@ -67,15 +68,21 @@ struct PremiseData {
 
 /// A value of an unknown.
 #[derive(Debug, Serialize)]
-struct ValueData {
+pub(super) struct ValueData {
     unknown: String,
     value: String,
+}
+
+/// Values of all unknowns, exactly, in the canonical spelling.
+pub(super) fn values_data(statement: &Statement, values: &[Polynomial]) -> Vec<ValueData> {
+    let ring = statement.ring();
+    let pairs = statement.unknowns().iter().zip(values);
+    pairs.map(|(name, value)| ValueData { unknown: name.clone(), value: ring.spell(value) }).collect()
 }
 
 /// The outcome of an attempt.
 #[derive(Debug, Serialize)]
 pub struct AttemptData {
-    verdict: &'static str,
     /// `impossible`, `exact` or `solution`.
     #[serde(skip_serializing_if = "Option::is_none")]
     claim: Option<&'static str>,
@@ -106,16 +113,29 @@ pub struct AttemptData {
     indifferent: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<ReasonData>,
+    /// What stopped the work, if it was stopped.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stopped: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     theorem: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     files: Option<FilesData>,
 }
 
+/// Where something was written.
 #[derive(Debug, Serialize)]
-struct FilesData {
+pub(super) struct FilesData {
     statement: String,
     certificate: String,
+}
+
+impl FilesData {
+    pub(super) fn of(files: &Files) -> Self {
+        FilesData {
+            statement: files.statement.display().to_string(),
+            certificate: files.certificate.display().to_string(),
+        }
+    }
 }
 
 /// What the coordinates of finitely many zeros are roots of.
@@ -202,15 +222,8 @@ pub(super) fn net(statement: &Statement, net: &[Vec<HomogeneousPoint>]) -> Vec<V
     net.iter().map(|row| row.iter().map(point).collect()).collect()
 }
 
-/// The coefficients of a patch in one basis; `None` for a bare system.
-///
-/// # Errors
-/// Where a coefficient exceeds what the formats allow.
-pub fn expansion(statement: &Statement, basis: Basis) -> Result<Option<Vec<CoefficientData>>, Limit> {
-    Ok(coefficients(statement, basis)?.map(|list| listed(statement, list)))
-}
-
-fn listed(statement: &Statement, list: Vec<Coefficient>) -> Vec<CoefficientData> {
+/// Those that are not zero, spelled.
+pub(super) fn listed(statement: &Statement, list: Vec<Coefficient>) -> Vec<CoefficientData> {
     let ring = statement.ring();
     let nonzero = list.into_iter().filter(|coefficient| !coefficient.value.is_zero());
     let entry =
@@ -246,7 +259,6 @@ pub fn attempt(
     let of_basis = |basis| expansion_within(problem, basis, control);
     let (bernstein, monomial) = (of_basis(Basis::Bernstein)?, of_basis(Basis::Monomial)?);
     let mut data = AttemptData {
-        verdict: "UNDECIDED",
         claim: None,
         name: name.to_owned(),
         statement: statement(of),
@@ -261,17 +273,19 @@ pub fn attempt(
         chosen: Vec::new(),
         indifferent: Vec::new(),
         reason: None,
+        stopped: None,
         theorem: None,
-        files: files.map(|files| FilesData {
-            statement: files.statement.display().to_string(),
-            certificate: files.certificate.display().to_string(),
-        }),
+        files: files.map(FilesData::of),
     };
     match attempt {
-        Attempt::Undecided(why) => data.reason = Some(reason(of, why)?),
+        Attempt::Undecided(why) => {
+            data.reason = Some(reason(of, why)?);
+            if let Reason::Elimination(Undecided::Interrupted(stopped)) = why {
+                data.stopped = Some(stopped_by(stopped.why));
+            }
+        }
         Attempt::Proved { proof, freedom } => {
             let theorem = proof.theorem();
-            data.verdict = if matches!(theorem.claim(), Claim::Impossible(_)) { "PROVED" } else { "EXACT" };
             data.claim = Some(theorem.kind());
             data.theorem = Some(theorem.sentence());
             if let Argument::Impossible(steps) = &proof.certificate().argument {
@@ -292,12 +306,7 @@ pub fn attempt(
 
 fn solution(data: &mut AttemptData, theorem: &Theorem) {
     let statement = theorem.statement();
-    let named = |values: &[Polynomial]| {
-        let pairs = statement.unknowns().iter().zip(values);
-        let spelled = pairs
-            .map(|(name, value)| ValueData { unknown: name.clone(), value: statement.ring().spell(value) });
-        Some(spelled.collect())
-    };
+    let named = |values: &[Polynomial]| Some(values_data(statement, values));
     match theorem.claim() {
         Claim::Exact(ExactNet { values, net: points, weights_positive }) => {
             data.values = named(values);

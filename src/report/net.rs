@@ -25,7 +25,7 @@ const DIGITS: u32 = 20;
 ///
 /// # Errors
 /// Where a number exceeds what the formats allow.
-pub fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit> {
+pub(super) fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit> {
     let notation = Notation::new(Ring { field: net.field.clone(), variables: Vec::new() });
     let (m, n) = net.bidegree();
     let surface = surface_phrase(&audit.statement);
@@ -181,7 +181,6 @@ fn correction_text(net: &PrintedNet, notation: &Notation, correction: &NetCorrec
 /// The audit of a net as data.
 #[derive(Debug, Serialize)]
 pub struct NetData {
-    verdict: &'static str,
     title: String,
     convention: &'static str,
     statement: StatementData,
@@ -217,7 +216,7 @@ enum CorrectionData {
 }
 
 /// The audit of a net as data.
-pub fn net_data(net: &PrintedNet, audit: &NetAudit) -> NetData {
+pub(super) fn net_data(net: &PrintedNet, audit: &NetAudit) -> NetData {
     let ring = Ring { field: net.field.clone(), variables: Vec::new() };
     let spell = |value: &Polynomial| ring.spell(value);
     let corrections = audit.corrections.iter().map(|correction| {
@@ -236,7 +235,6 @@ pub fn net_data(net: &PrintedNet, audit: &NetAudit) -> NetData {
     let residual =
         audit.residual.iter().map(|(r, s, value)| ResidualData { index: (*r, *s), value: spell(value) });
     NetData {
-        verdict: if audit.agrees { "AGREES" } else { "DIFFERS" },
         title: net.title.clone(),
         convention: net.convention.word(),
         statement: statement_data(&audit.statement),

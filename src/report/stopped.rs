@@ -3,11 +3,12 @@
 use std::fmt::Write as _;
 
 use num_rational::BigRational;
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::bounds::{quantity_name, value_text};
+use super::json::{ValueData, values_data};
 use super::rounding::{Towards, rounded};
-use crate::approximation::{BestSoFar, Decimals, quantity_of};
+use crate::approximation::{BestSoFar, quantity_of};
 use crate::control::{Interrupted, Why};
 use crate::statement::Statement;
 
@@ -40,19 +41,27 @@ pub fn best_so_far_text(statement: &Statement, best: &BestSoFar) -> String {
     text
 }
 
-/// The same as data.
-pub fn best_so_far_data(statement: &Statement, best: &BestSoFar) -> Value {
-    json!({
-        "values": decimals_data(statement, &best.values),
-        "measured_in_floating_point": { "least": best.measured[0], "greatest": best.measured[1] },
-    })
+/// The best values so far as data.
+#[derive(Debug, Serialize)]
+pub(super) struct BestSoFarData {
+    values: Vec<ValueData>,
+    measured_in_floating_point: MeasuredData,
 }
 
-/// Values of the unknowns, exactly, in the canonical spelling.
-pub fn decimals_data(statement: &Statement, decimals: &Decimals) -> Value {
-    let ring = statement.ring();
-    let value = |(name, value): (&String, &crate::exact::Polynomial)| json!({ "unknown": name, "value": ring.spell(value) });
-    statement.unknowns().iter().zip(&decimals.values).map(value).collect()
+#[derive(Debug, Serialize)]
+struct MeasuredData {
+    least: f64,
+    greatest: f64,
+}
+
+impl BestSoFarData {
+    pub(super) fn of(statement: &Statement, best: &BestSoFar) -> Self {
+        let [least, greatest] = best.measured;
+        BestSoFarData {
+            values: values_data(statement, &best.values.values),
+            measured_in_floating_point: MeasuredData { least, greatest },
+        }
+    }
 }
 
 /// The measured ends, rounded outwards.

@@ -5,4 +5,5 @@ mod figures;
 mod limits;
 mod readback;
 mod sessions;
+mod verdicts;
 mod words;

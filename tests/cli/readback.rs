@@ -10,37 +10,33 @@ use proptest::prelude::*;
 use prove_cap::audit::Audit;
 use prove_cap::audit::net::NetAudit;
 use prove_cap::catalogue;
+use prove_cap::commands::{Expanded, Source, expand};
 use prove_cap::control::Control;
 use prove_cap::exact::{Monomial, Polynomial, Radicands};
 use prove_cap::expand::Basis;
 use prove_cap::formats::listing::{Listing, Notation, is_expansion, read_constant};
 use prove_cap::formats::net::{Convention, from_json, statement_from_json};
-use prove_cap::report::{bounds::value_text, describe_expansion, json};
+use prove_cap::report::{self, bounds::value_text, json};
 use prove_cap::statement::Statement;
 use serde_json::{Value, json as object};
-
-const BASES: [(Basis, &str); 2] = [(Basis::Bernstein, "bernstein"), (Basis::Monomial, "monomial")];
 
 /// What `expand` prints of a statement, as text and as JSON, read back.
 fn listings(statement: &Statement) -> Vec<Listing> {
     let mut listings = Vec::new();
-    for (basis, name) in BASES {
-        let text = describe_expansion(statement, basis).unwrap();
+    for basis in [Basis::Bernstein, Basis::Monomial] {
+        let expanded = expanded(statement, basis);
+        let text = report::text(&expanded).unwrap();
         listings.push(Listing::from_formulas("", &text, Notation::Plain).unwrap_or_else(|e| panic!("{e}")));
-        let text = expansion(statement, basis, name);
+        let text = report::json(&expanded).unwrap();
         assert!(is_expansion(&text));
         listings.push(Listing::from_json(&text).unwrap_or_else(|e| panic!("{e}")));
     }
     listings
 }
 
-fn expansion(statement: &Statement, basis: Basis, name: &str) -> String {
-    let document = object!({
-        "statement": json::statement(statement),
-        "basis": name,
-        "coefficients": json::expansion(statement, basis).unwrap(),
-    });
-    serde_json::to_string_pretty(&document).unwrap()
+fn expanded(statement: &Statement, basis: Basis) -> Expanded {
+    let (name, text) = ("it".to_owned(), String::new());
+    expand(Source { name, text, statement: statement.clone(), cap: false }, basis).unwrap()
 }
 
 fn audit(listing: &Listing, statement: &Statement) -> Audit {
@@ -105,7 +101,7 @@ fn an_empty_listing_is_that_of_a_patch_on_its_surface() {
 #[test]
 fn a_changed_expansion_differs_where_it_was_changed() {
     let cap = Statement::read(&catalogue::find("cap-2x2").unwrap().statement()).unwrap();
-    let text = expansion(&cap, Basis::Bernstein, "bernstein");
+    let text = report::json(&expanded(&cap, Basis::Bernstein)).unwrap();
     let changed = text.replacen("8/3*sqrt(3)*w*z - 8*w - 4/3", "8/3*sqrt(3)*w*z - 9*w - 4/3", 1);
     let listing = Listing::from_json(&changed).unwrap();
     let audit = audit(&listing, &cap);

@@ -127,6 +127,26 @@ fn arrows_point_up() {
     }
 }
 
+/// What a command does is in `commands`, what it prints in `report`: the files of the command line only bring them together.
+#[test]
+fn the_command_line_is_thin() {
+    let mut commands = 0;
+    for file in files(Path::new("src/cli")) {
+        let text = fs::read_to_string(&file).unwrap();
+        let subcommand = text.lines().next().is_some_and(|line| line.starts_with("//! `prove-cap "));
+        commands += usize::from(subcommand);
+        assert!(!subcommand || text.lines().count() <= 60, "{}", file.display());
+        assert!(!text.contains("json!"), "{}", file.display());
+    }
+    assert_eq!(commands, 11, "all subcommands begin with how they are called (canonical is with check)");
+    for file in files(Path::new("src/commands")) {
+        let text = fs::read_to_string(&file).unwrap();
+        for word in ["clap", "std::fs", "println", "json!", "process::"] {
+            assert!(!text.contains(word), "{} has {word}", file.display());
+        }
+    }
+}
+
 #[test]
 fn the_reader_of_paths_sees_every_form() {
     let module = ["audit".to_owned(), "net".to_owned()];

@@ -1,54 +1,27 @@
 //! Values of unknowns, tolerances, intervals and points on the command line.
 
-use super::outcome::Failure;
+use crate::commands::{self, Failure, ValuesError};
 use crate::exact::Polynomial;
-use crate::formats::listing::read_constant;
 use crate::statement::Statement;
 
 /// The decimal places that the checker's limits allow within reason.
 const PLACES: u32 = 100;
 
 /// The value of each unknown, from `NAME=VALUE`, in the statement's order.
-pub(super) fn values(statement: &Statement, set: &[String]) -> Result<Vec<Polynomial>, Failure> {
-    let unknowns = statement.unknowns();
-    let mut values: Vec<Option<Polynomial>> = vec![None; unknowns.len()];
-    for text in set {
-        let Some((name, value)) = text.split_once('=') else {
-            return Err(Failure(format!("--set {text}: expected NAME=VALUE, as in w=0.5")));
-        };
-        let Some(place) = unknowns.iter().position(|unknown| unknown == name.trim()) else {
-            let expected = match unknowns {
-                [] => "the patch has no unknowns".to_owned(),
-                names => format!("expected one of {}", names.join(", ")),
-            };
-            return Err(Failure(format!("--set {text}: `{}` is not an unknown; {expected}", name.trim())));
-        };
-        if values[place].is_some() {
-            return Err(Failure(format!("--set {text}: `{}` is set twice", name.trim())));
-        }
-        let read = read_constant(value, statement.field()).map_err(|error| {
-            Failure(format!(
-                "--set {text}: {}\nexpected an exact number of {}: a decimal, 1/2, or an expression like 4*sqrt(3)/3",
-                error.fault(),
-                statement.field()
-            ))
-        })?;
-        values[place] = Some(read);
-    }
-    let missing: Vec<&str> = unknowns
-        .iter()
-        .zip(&values)
-        .filter(|(_, value)| value.is_none())
-        .map(|(name, _)| name.as_str())
-        .collect();
-    if !missing.is_empty() {
-        return Err(Failure(format!("no value for {}: give it with --set NAME=VALUE", missing.join(", "))));
-    }
-    Ok(values.into_iter().flatten().collect())
+pub(in crate::cli) fn values(statement: &Statement, set: &[String]) -> Result<Vec<Polynomial>, Failure> {
+    let pairs = set.iter().map(|text| {
+        let expected = || Failure::new(format!("--set {text}: expected NAME=VALUE, as in w=0.5"));
+        text.split_once('=').ok_or_else(expected)
+    });
+    let pairs: Vec<(&str, &str)> = pairs.collect::<Result<_, _>>()?;
+    commands::values(statement, &pairs).map_err(|error| match error {
+        ValuesError::Wrong { .. } => Failure::new(format!("--set {error}")),
+        ValuesError::Missing(_) => Failure::new(format!("{error}: give it with --set NAME=VALUE")),
+    })
 }
 
 /// A tolerance as decimal places: 1e-12 is 12.
-pub(super) fn tolerance(text: &str) -> Result<u32, String> {
+pub(in crate::cli) fn tolerance(text: &str) -> Result<u32, String> {
     let size: f64 = text.parse().map_err(|_| "expected a number such as 1e-12".to_owned())?;
     let digits = text.split(['e', 'E']).next().unwrap_or_default();
     if size == 0.0 && digits.contains(|c: char| ('1'..='9').contains(&c)) {
@@ -67,7 +40,7 @@ pub(super) fn tolerance(text: &str) -> Result<u32, String> {
 }
 
 /// An interval of two printed decimals, `0.9,1.1`, as they are printed; with a true minus, and in brackets, too.
-pub(super) fn interval(text: &str) -> Result<[String; 2], String> {
+pub(in crate::cli) fn interval(text: &str) -> Result<[String; 2], String> {
     let expected = || "expected two decimals, LOW,HIGH, as in 0.99,1.01".to_owned();
     let text = text.trim().replace('−', "-");
     let inside = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
@@ -84,7 +57,7 @@ pub(super) fn interval(text: &str) -> Result<[String; 2], String> {
 }
 
 /// A point (u, v) of the square, `0.5,0.5`.
-pub(super) fn point(text: &str) -> Result<(f64, f64), String> {
+pub(in crate::cli) fn point(text: &str) -> Result<(f64, f64), String> {
     let expected = || "expected a point U,V of the unit square, as in 0.5,0.5".to_owned();
     let (u, v) = text.split_once(',').ok_or_else(expected)?;
     let read = |text: &str| text.trim().parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));
