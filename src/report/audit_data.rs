@@ -1,4 +1,4 @@
-//! `prove-cap audit` as data. The schema is described in `LISTINGS.md`.
+//! `prove-cap audit` as data. The schema is described in `docs/listings.md`.
 
 use serde::Serialize;
 

@@ -75,7 +75,7 @@ impl Listing {
         })
     }
 
-    /// Reads a listing file (TOML; the keys are described in `LISTINGS.md`).
+    /// Reads a listing file (TOML; the keys are described in `docs/listings.md`).
     ///
     /// # Errors
     /// [`ListingError`] with the place.
