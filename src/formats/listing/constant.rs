@@ -43,12 +43,57 @@ pub fn in_statement_language<'a>(text: &'a str, ring: &Ring) -> Result<Cow<'a, s
     Ok(Cow::Owned(ring.spell(&value)))
 }
 
-/// Reads an exact constant of a field, in the language of statements or as this program prints it.
+/// `1.5e-40` as the statement language has it, `1.5/10^40`; `None` for anything else.
+fn scientific(text: &str) -> Option<String> {
+    let (mantissa, exponent) = text.trim().split_once(['e', 'E'])?;
+    let (sign, digits) = match exponent.strip_prefix(['+', '-', '−']) {
+        Some(digits) => (if exponent.starts_with('+') { '*' } else { '/' }, digits),
+        None => ('*', exponent),
+    };
+    let decimal = |text: &str| {
+        let (whole, rest) = text.split_once('.').unwrap_or((text, "0"));
+        let all = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+        all(whole) && all(rest)
+    };
+    let unsigned = mantissa.strip_prefix(['-', '+', '−']).unwrap_or(mantissa);
+    let minus = if mantissa.starts_with(['-', '−']) { "-" } else { "" };
+    let whole = digits.parse::<u16>().ok().filter(|_| digits.bytes().all(|byte| byte.is_ascii_digit()))?;
+    decimal(unsigned).then(|| format!("{minus}{unsigned}{sign}10^{whole}"))
+}
+
+/// Reads an exact constant of a field, in the language of statements, in scientific notation, or as this program prints it.
 ///
 /// # Errors
 /// With the place in the text.
 pub fn read_constant(text: &str, field: &Radicands) -> Result<Polynomial, ConstantError> {
     let ring = Ring { field: field.clone(), variables: Vec::new() };
-    let spelled = in_statement_language(text, &ring)?;
+    let written = scientific(text);
+    let spelled = in_statement_language(written.as_deref().unwrap_or(text), &ring)?;
     Ok(Statement::read_constant(&spelled, field, &mut Work::full())?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scientific_notation_is_the_number_that_it_spells() {
+        let field = Radicands::new(vec![2]).unwrap();
+        let read = |text: &str| read_constant(text, &field).map_err(|error| error.to_string());
+        for (text, other) in [
+            ("1e-40", "1/10^40"),
+            ("-2.50E3", "-2500"),
+            ("−7e+2", "-700"),
+            ("0.125e-0", "1/8"),
+            ("+3e1", "30"),
+        ] {
+            assert_eq!(read(text), read(other), "{text}");
+            assert!(read(text).is_ok(), "{text}");
+        }
+        for text in
+            ["e5", "1e", "1e-", "1.e5", ".5e1", "1e5e5", "1e99999999", "1e+-3", "1e٣", "0x1e3", "2*1e3"]
+        {
+            assert!(read(text).is_err(), "{text}");
+        }
+    }
 }
