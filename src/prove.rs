@@ -12,7 +12,7 @@ use crate::elimination::{
     Closure, Derivation, NamedStep, Outcome, Progress, Source, System, Tried, Undecided, eliminate,
     points_in_field,
 };
-use crate::exact::{self, Limit, Stop};
+use crate::exact::{self, Arithmetic, Limit, Stop};
 use crate::statement::{Statement, Subject};
 
 pub use extension::Extension;
@@ -99,7 +99,7 @@ impl From<Limit> for NoAnswer {
 impl From<CheckError> for NoAnswer {
     fn from(error: CheckError) -> Self {
         match error.limit() {
-            Some(limit) => NoAnswer::Limit(limit.clone()),
+            Some(limit) => NoAnswer::Limit(*limit),
             None => NoAnswer::Error(ProveError::Refused(error)),
         }
     }
@@ -275,10 +275,10 @@ pub fn flattened(
                 equation => [(*equation, exact::Polynomial::integer(1))].into(),
             };
             for (equation, cofactor) in of_premise {
-                let product = cofactor.multiply(multiplier, statement.field(), &mut work).ok()?;
+                let product =
+                    Arithmetic::new(statement.field(), &mut work).product(&cofactor, multiplier).ok()?;
                 let entry = sum.entry(equation).or_default();
-                *entry =
-                    exact::Polynomial::sum(&[entry.clone(), product], statement.field(), &mut work).ok()?;
+                *entry = Arithmetic::new(statement.field(), &mut work).sum(&[entry.clone(), product]).ok()?;
                 if entry.term_count() > at_most {
                     return None;
                 }

@@ -12,7 +12,7 @@ use super::tree::{NoTree, positive};
 use crate::certificate::{Argument, Bounds, Certificate, End, Quantity, Side};
 use crate::checker::{CheckError, Theorem, check_read_within};
 use crate::control::{Control, Interrupted};
-use crate::exact::{Limit, Polynomial, Work};
+use crate::exact::{Arithmetic, Limit, Polynomial, Work};
 use crate::statement::{Patch, Statement, Subject};
 
 /// Bounds with their certificate, accepted by the checker.
@@ -146,7 +146,7 @@ fn within_limits(
 
 fn refused(error: CheckError) -> EnclosureError {
     match error.limit() {
-        Some(limit) => EnclosureError::Limit(limit.clone()),
+        Some(limit) => EnclosureError::Limit(*limit),
         None => EnclosureError::Refused(error),
     }
 }
@@ -169,7 +169,7 @@ pub fn patch_at(statement: &Statement, values: &[Polynomial]) -> Result<Patch, E
     let Subject::Patch(patch) = statement.subject() else { return Err(EnclosureError::NotAPatch) };
     let (mut patch, mut work) = (patch.clone(), Work::full());
     for coordinate in patch.net.iter_mut().flatten().flatten() {
-        *coordinate = coordinate.substitute(values, statement.field(), &mut work)?;
+        *coordinate = Arithmetic::new(statement.field(), &mut work).substitute(coordinate, values)?;
     }
     Ok(patch)
 }

@@ -24,7 +24,7 @@ use crate::certificate::{
 };
 use crate::checker::{CheckError, Theorem, check_read_within};
 use crate::control::{Control, Interrupted};
-use crate::exact::{self, Limit, Work};
+use crate::exact::{self, Arithmetic, Limit, Work};
 use crate::prove::field_of;
 use crate::statement::{Patch, Statement};
 
@@ -120,7 +120,7 @@ pub fn exclude(
     let certificate = Certificate { statement: statement.hash(), argument: Argument::Unreachable(argument) };
     let checked = check_read_within(statement, &certificate, &mut control.work());
     let theorem = checked.map_err(|error| match error.limit() {
-        Some(limit) => control.unless_stopped(UnreachableError::Limit(limit.clone())),
+        Some(limit) => control.unless_stopped(UnreachableError::Limit(*limit)),
         None => UnreachableError::Refused(error),
     })?;
     Ok(Barrier { boxes, half_width, certificate, theorem })
@@ -164,7 +164,8 @@ fn forms(
     let (field, patch) = (field_of(statement), &normal.patch);
     let along = |surface: exact::Polynomial| surface_condition(field, &Patch { surface, ..patch.clone() });
     let weight = exact::Polynomial::variable(3);
-    let power = weight.power(patch.surface.degree(), statement.field(), &mut Work::full())?;
+    let power =
+        Arithmetic::new(statement.field(), &mut Work::full()).power(&weight, patch.surface.degree())?;
     let (surface, power, weight) = (along(patch.surface.clone()), along(power), along(weight));
     let threshold = |bound: &Units| {
         let value = decimal_value(bound, places);

@@ -10,7 +10,7 @@ use clap::Args;
 use super::arguments::{Format, to_json};
 use super::outcome::{Failure, Outcome, Status};
 use crate::control::{Control, Interrupted, Why};
-use crate::exact::Limit;
+use crate::exact::limits;
 use crate::report::stopped::stopped_by;
 
 /// How often the memory in use is looked at.
@@ -51,7 +51,7 @@ pub(super) fn under_control(
 ) -> Result<Outcome, Failure> {
     controlled(limits, |control| match (command(control), control.check()) {
         // What the trusted part could not finish because it was stopped is no error.
-        (Err(Failure(message)), Err(why)) if message.contains(&Limit::ended().to_string()) => {
+        (Err(Failure(message)), Err(why)) if message.contains(&limits::ENDED.to_string()) => {
             stopped(name, format, &why)
         }
         (outcome, _) => outcome,

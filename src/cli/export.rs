@@ -158,7 +158,7 @@ fn read(
     (format, control): (Format, &Control),
 ) -> Result<Result<Certificate, Outcome>, Failure> {
     let statement = &source.statement;
-    let bytes = read_limited(file, limits::CERTIFICATE_BYTES)?;
+    let bytes = read_limited(file, limits::CERTIFICATE_BYTES.at_most)?;
     let unknowns = statement.unknowns().len();
     let certificate = Certificate::read(&bytes, &statement.ring(), unknowns, &mut control.work())
         .map_err(|error| Failure(format!("{}:{error}", file.display())))?;

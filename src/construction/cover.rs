@@ -101,7 +101,7 @@ pub fn cover(
     match check_read_within(statement, &certificate, &mut control.work()) {
         Ok(theorem) => Ok((certificate, theorem)),
         Err(error) => Err(match error.limit() {
-            Some(limit) => control.unless_stopped(CoverError::Limit(limit.clone())),
+            Some(limit) => control.unless_stopped(CoverError::Limit(*limit)),
             None => CoverError::Refused(error),
         }),
     }

@@ -82,7 +82,7 @@ pub enum Refusal {
 impl From<CheckError> for Refusal {
     fn from(error: CheckError) -> Self {
         match error.limit() {
-            Some(limit) => Refusal::Limit(limit.clone()),
+            Some(limit) => Refusal::Limit(*limit),
             None => Refusal::Refused(error),
         }
     }

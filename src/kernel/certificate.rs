@@ -6,9 +6,10 @@
 
 pub use crate::claims::{
     Argument, Bounds, Cover, EDGES, EdgeTree, End, Odds, Quantity, Region, Side, Step, Tree, Units,
-    Unreachable, decimal_value, spell_decimal,
+    Unreachable, spell_decimal,
 };
 pub use crate::equations::Premise;
+pub use crate::exact::decimal_value;
 pub use crate::text::{CertificateError, CertificateFault};
 
 use crate::claims::EXPECTED;
@@ -58,7 +59,7 @@ impl Certificate {
         unknowns: usize,
         work: &mut Work,
     ) -> Result<Certificate, CertificateError> {
-        let text = check_text(bytes)?;
+        let text = check_text(bytes, work)?;
         let mut reader = Reader::new(text, ring, unknowns, work);
         let header = "`prove-cap certificate 1` or `prove-cap certificate 2`";
         let line = reader.next(header)?;

@@ -8,7 +8,7 @@ use super::mathematics::Notation;
 use super::setting;
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::control::Control;
-use crate::exact::Polynomial;
+use crate::exact::{Arithmetic, Polynomial};
 use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_within, grouped};
 use crate::prove::flattened;
 use crate::statement::{Statement, Subject};
@@ -228,7 +228,7 @@ fn contradiction(
         .zip(values)
         .map(|(index, value)| value.clone().unwrap_or_else(|| Polynomial::variable(index)))
         .collect();
-    let value = polynomial.substitute(&at, statement.field(), &mut work).ok()?;
+    let value = Arithmetic::new(statement.field(), &mut work).substitute(polynomial, &at).ok()?;
     let when = if polynomial.is_constant() { "Identically" } else { "With these values" };
     (value.is_constant() && !value.is_zero())
         .then(|| format!("   {when} {equation} = {}, not 0:\n", notation.polynomial(&value)))

@@ -72,7 +72,7 @@ fn toml_that_nests_or_never_ends() {
     assert!(matches!(errors(format!("net = {}", "[".repeat(100_000))).fault, StatementFault::Toml(_)));
     assert!(matches!(errors(format!("net = {}", "{a=".repeat(100_000))).fault, StatementFault::Toml(_)));
     assert!(matches!(errors(vec!["a"; 100_000].join(".") + " = 1").fault, StatementFault::Toml(_)));
-    let StatementError { fault, .. } = errors("#".repeat(limits::STATEMENT_BYTES as usize + 1));
+    let StatementError { fault, .. } = errors("#".repeat(limits::STATEMENT_BYTES.length() + 1));
     assert!(is_limit(&fault));
     let many: Vec<String> = (0..2000).map(|k| format!("\"x{k}\"")).collect();
     let many = format!("title = \"t\"\nradicands = []\nunknowns = [{}]\npolynomials = []\n", many.join(", "));
@@ -101,10 +101,11 @@ fn certificate_limit(error: &CheckError) -> bool {
 fn certificates_beyond_the_limits() {
     let line = certificate(&format!("step 1\nadd f[1] times {}\n", "x".repeat(10_000_000)));
     assert!(certificate_limit(&complaint(line.as_bytes())), "a line of 10 MB");
-    let bytes = vec![b'\n'; limits::CERTIFICATE_BYTES as usize + 1];
+    let bytes = vec![b'\n'; limits::CERTIFICATE_BYTES.length() + 1];
     assert!(certificate_limit(&complaint(&bytes)), "17 million newlines");
-    let steps: String =
-        (1..=limits::STEPS + 1).map(|k| format!("step {k}\nadd f[1] times x\nconclude x\n")).collect();
+    let steps: String = (1..=limits::STEPS.length() + 1)
+        .map(|k| format!("step {k}\nadd f[1] times x\nconclude x\n"))
+        .collect();
     assert!(certificate_limit(&complaint(certificate(&steps).as_bytes())), "too many steps");
 }
 
@@ -139,7 +140,7 @@ fn a_product_of_two_long_polynomials_is_counted_before_it_is_made() {
     let exponent = |term: &str| -> u32 { term[2..].split('*').next().unwrap().parse().unwrap() };
     sorted.sort_by_key(|term| std::cmp::Reverse((degree(term), exponent(term))));
     let long = sorted.join(" + ");
-    assert!(long.len() < limits::LINE_BYTES);
+    assert!(long.len() < limits::LINE_BYTES.length());
     let lines = format!(
         "step 1\nadd f[1] times {long}\nconclude {long}\nstep 2\nadd step 1 times {long}\nconclude 1\nend 2\n"
     );
@@ -206,11 +207,11 @@ fn deep_trees() {
 
 #[test]
 fn long_numbers_in_arguments_by_subdivision() {
-    let digits = "7".repeat(limits::DIGITS);
+    let digits = "7".repeat(limits::DIGITS.length());
     let mut lines: Vec<String> =
         ["claim unreachable", "quantity radius 1", "between 0.9 1.1"].map(String::from).to_vec();
     lines.push(format!("range {digits}"));
-    lines.push(format!("sample 1 at {digits}/{} {digits}*h", "8".repeat(limits::DIGITS - 1) + "1"));
+    lines.push(format!("sample 1 at {digits}/{} {digits}*h", "8".repeat(limits::DIGITS.length() - 1) + "1"));
     for chart in 1..=5 {
         lines.extend([format!("chart {chart}"), "exclude 1*lower[1] + 1*upper[1]".to_owned()]);
     }
@@ -224,7 +225,7 @@ fn long_numbers_in_arguments_by_subdivision() {
         ),
         "{error}"
     );
-    let places = format!("{}.{}", "1".repeat(limits::DIGITS), "0".repeat(1000));
+    let places = format!("{}.{}", "1".repeat(limits::DIGITS.length()), "0".repeat(1000));
     let lines = [
         "claim bounds",
         "value w = 1/2",

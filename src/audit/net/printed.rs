@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::audit::AuditError;
-use crate::exact::{Polynomial, Radicands, Ring, Work};
+use crate::exact::{Arithmetic, Polynomial, Radicands, Ring, Work};
 use crate::statement::{Statement, Subject};
 
 /// How the four numbers of a control point are meant.
@@ -160,7 +160,7 @@ pub(super) fn premultiplied(
     let mut homogeneous = point.clone();
     if convention == Convention::Cartesian {
         for coordinate in &mut homogeneous[..3] {
-            *coordinate = coordinate.multiply(&point[3], field, work)?;
+            *coordinate = Arithmetic::new(field, work).product(coordinate, &point[3])?;
         }
     }
     Ok(homogeneous)
@@ -172,10 +172,10 @@ fn divided(
     field: &Radicands,
     work: &mut Work,
 ) -> Result<[Polynomial; 4], AuditError> {
-    let inverse = point[3].inverse(field, work)?.unwrap_or_default();
+    let inverse = Arithmetic::new(field, work).inverse(&point[3])?.unwrap_or_default();
     let mut cartesian = point.clone();
     for coordinate in &mut cartesian[..3] {
-        *coordinate = coordinate.multiply(&inverse, field, work)?;
+        *coordinate = Arithmetic::new(field, work).product(coordinate, &inverse)?;
     }
     Ok(cartesian)
 }

@@ -23,9 +23,7 @@ pub use bounds::{Bounded, Bounds, End, Rejection as BoundsRejection};
 pub use cover::{Cover, Covered, EDGES, EdgeTree, Rejection as CoverRejection};
 pub use exact::{ExactNet, Rejection as ExactRejection, Solution};
 pub use impossible::{Refuted, Rejection as ImpossibleRejection, Step};
-pub use subdivision::{
-    Quantity, Rejection as SubdivisionRejection, Side, Tree, Units, decimal_value, spell_decimal,
-};
+pub use subdivision::{Quantity, Rejection as SubdivisionRejection, Side, Tree, Units, spell_decimal};
 pub use unreachable::{Excluded, Odds, Region, Rejection as UnreachableRejection, Unreachable};
 pub use wording::written;
 

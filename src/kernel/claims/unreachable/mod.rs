@@ -1,5 +1,6 @@
 //! Claim `unreachable`: how near no patch comes to its surface.
 
+mod boxes;
 mod chart;
 mod check;
 mod text;
