@@ -1,6 +1,6 @@
 //! What a unit of work costs: 10⁸ units of every kind that is dear, and the longest proof.
 //!
-//! `cargo bench -p prove-cap-kernel`. The slowest line, times 40, is how long the whole allowance lasts.
+//! `cargo bench -p prove-cap-kernel`. The slowest line, times 150, is how long the whole allowance lasts.
 #![allow(
     clippy::arithmetic_side_effects,
     clippy::as_conversions,
@@ -76,14 +76,14 @@ fn terms_with_roots(bencher: Bencher) {
 
 #[divan::bench]
 fn common_divisors(bencher: Bencher) {
-    let quotients: Vec<String> = (0..200).map(|k| format!("a/{}{}", digits(4000), 2 * k + 1)).collect();
+    let quotients: Vec<String> = (0..50).map(|k| format!("a/{}{}", digits(4000), 2 * k + 1)).collect();
     let case = system("", &quotients.join(" + "));
     bencher.bench(|| case.check().expect_err("a limit"));
 }
 
 #[divan::bench]
 fn products_of_long_numbers(bencher: Bencher) {
-    let factors: Vec<String> = (0..200).map(|k| format!("({}{k}*a + b)*0", digits(3900))).collect();
+    let factors: Vec<String> = (0..40).map(|k| format!("({}{k}*a + b)*{k}", digits(3900))).collect();
     let case = system("", &factors.join(" + "));
     bencher.bench(|| drop(case.check()));
 }
@@ -113,7 +113,7 @@ fn small_boxes(bencher: Bencher) {
     bencher.bench(|| case.check().expect_err("a limit"));
 }
 
-/// A tenth of the allowance for reading alone.
+/// 10⁸ units for reading alone.
 #[divan::bench]
 fn toml(bencher: Bencher) {
     let statement = format!("title = \"t\"\nnet = [{}]\n", vec!["[]"; 160_000].join(","));

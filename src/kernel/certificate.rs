@@ -64,7 +64,7 @@ impl Certificate {
         let header = "`prove-cap certificate 1` or `prove-cap certificate 2`";
         let line = reader.next(header)?;
         let known = HEADERS.iter().find(|(text, _)| line == *text);
-        let (_, version) = known.ok_or_else(|| reader.unexpected(line, header))?;
+        let (_, version) = known.ok_or_else(|| unknown_version(&reader, line, header))?;
         reader.version = *version;
         let older = reader.unexpected(line, "`prove-cap certificate 1`");
         let expected = "`statement sha256 ` and 64 lower-case hexadecimal digits";
@@ -85,6 +85,15 @@ impl Certificate {
             return Err(reader.fail(1, CertificateFault::NotCanonical));
         }
         Ok(certificate)
+    }
+}
+
+/// Another first line: one of a version to come, or of no certificate.
+fn unknown_version(reader: &Reader<'_, '_>, line: &str, header: &'static str) -> CertificateError {
+    let number = line.strip_prefix("prove-cap certificate ").and_then(|number| reader.index(number).ok());
+    match number.filter(|&number| number > 0) {
+        Some(found) => reader.fail(1, CertificateFault::Version { found, known: "1 and 2" }),
+        None => reader.unexpected(line, header),
     }
 }
 

@@ -86,7 +86,7 @@ fn the_format_page_states_the_limits_in_force() {
         assert!(page.contains(&row), "{row}");
     }
     assert_eq!(limits::DEGREE.at_most, limits::EXPONENT.at_most, "one row for both");
-    assert_eq!(limits::WORK.at_most, 4_000_000_000, "the page says 4·10⁹");
+    assert_eq!(limits::WORK.at_most, 15_000_000_000, "the page says 15·10⁹");
     assert_eq!(limits::MEMORY.at_most, 800_000_000, "the page says 8·10⁸");
 }
 

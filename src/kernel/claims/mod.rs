@@ -4,13 +4,14 @@
 //! `verify` (the rules of FORMAT.md, section 6), the values that a completed check establishes, each with its `kind`,
 //! `sentence` and `details`, and `Rejection`, the ways in which it can be wrong.
 
-mod bounds;
-mod cover;
+// Layers: each uses those above it only.
+mod wording;
 mod exact;
 mod impossible;
 mod subdivision;
+mod bounds;
 mod unreachable;
-mod wording;
+mod cover;
 
 use std::fmt;
 

@@ -117,7 +117,7 @@ pub const TITLE: Limit = Limit::new("characters of a title", title!());
 /// What a title is, in words.
 pub(crate) const A_TITLE: &str = concat!("at most ", title!(), " characters on one line");
 /// Units of work for one statement with one certificate; [`super::Work`] has the prices.
-pub const WORK: Limit = Limit::new("units of work", 4_000_000_000);
+pub const WORK: Limit = Limit::new("units of work", 15_000_000_000);
 /// Bytes held at any one time for one statement with one certificate, the texts of the two files apart.
 pub const MEMORY: Limit = Limit::new("bytes of memory", 800_000_000);
 /// Decimal places of a bound.

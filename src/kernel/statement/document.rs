@@ -39,9 +39,13 @@ impl Statement {
     }
 
     fn read_within(text: &str, work: &mut Work) -> Result<Statement, StatementError> {
-        // The TOML reader goes through the text a few times, and keeps its values.
-        let charged = work.charge_each(text.len(), 200).map_err(|limit| (limit.into(), 0..0));
-        let read = charged.and_then(|()| Document::parse(text)?.statement(work));
+        // What the TOML reader makes of a text: at most so much for each byte of it, where tables nest in tables.
+        const BYTES: u64 = 640;
+        let held = work.held();
+        let kept = work.keep_each(text.len(), BYTES).map_err(|limit| (limit.into(), 0..0));
+        let of_document = work.held().saturating_sub(held);
+        let read = kept.and_then(|()| Document::parse(text)?.statement(work));
+        work.release(of_document);
         read.map_err(|located| locate(text, located))
     }
 

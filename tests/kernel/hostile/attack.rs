@@ -81,9 +81,9 @@ fn told(measured: &Measured) -> String {
     text
 }
 
-/// The bytes that a file of this length makes beside what is metered: the text, read and written again, or a TOML document.
+/// The bytes that files of this length make beside what is metered: the texts, read and written again.
 fn of_files((statement, certificate): (usize, usize)) -> u64 {
-    (180 * statement as u64).max(12 * certificate as u64 + 2 * statement as u64) + 200_000
+    12 * certificate as u64 + 2 * statement as u64 + 200_000
 }
 
 /// No memory that was not paid for; nothing is done that was not paid for, as far as it allocates; and all within the format.

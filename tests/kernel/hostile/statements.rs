@@ -71,9 +71,15 @@ fn long_numbers() {
 
 #[test]
 fn many_values_of_toml() {
-    ends("rows without points", &[10, 1000, 300_000], FEW, &End::Refused("the net has 300000 rows"), |n| {
+    ends("rows without points", &[10, 1000, 100_000], FEW, &End::Refused("the net has 100000 rows"), |n| {
         let net = vec!["[]"; n].join(",");
         let lines = format!("convention = \"homogeneous\"\nbidegree = [1, 1]\nnet = [{net}]");
+        Attack::of_statement(statement("", &[], &lines))
+    });
+    ends("tables in tables", &[1, 100, 6000], FEW, &End::Refused("the net has 6000 rows"), |n| {
+        let deep = format!("{{{}=1}}", vec!["a"; 70].join("."));
+        let lines =
+            format!("convention = \"homogeneous\"\nbidegree = [1, 1]\nnet = [{}]", vec![deep; n].join(","));
         Attack::of_statement(statement("", &[], &lines))
     });
     ends("constants", &[10, 1000, 50_000], ALL, &READ, |n| {

@@ -66,12 +66,17 @@ impl Form {
         work: &mut Work,
     ) -> Result<(), Stop> {
         work.charge_each(exponents.len().saturating_add(1), 16)?;
-        let place = exponents.iter().zip(&self.degrees).fold(0usize, |place, (exponent, degree)| {
-            place.saturating_mul(degree.saturating_add(1)).saturating_add(*exponent)
-        });
+        const BEYOND: Stop = Stop::Defect("a term beyond the degrees of its form");
+        let mut place = 0usize;
+        for (exponent, degree) in exponents.iter().zip(&self.degrees) {
+            if exponent > degree {
+                return Err(BEYOND);
+            }
+            place = place.saturating_mul(degree.saturating_add(1)).saturating_add(*exponent);
+        }
         let place = place.saturating_mul(self.masks).saturating_add(usize::from(mask));
         let coordinate = self.coordinates.get_mut(place);
-        let coordinate = coordinate.ok_or(Stop::Defect("a term beyond the degrees of its form"))?;
+        let coordinate = coordinate.ok_or(BEYOND)?;
         Ok(work.add_product(coordinate, a, b)?)
     }
 

@@ -38,6 +38,9 @@ pub(in crate::claims) fn verify(
     if argument.charts.len() != Unreachable::chart_count(unknowns) || !argument.range.is_positive() {
         return Err(not_a_tree());
     }
+    if argument.lower >= argument.upper {
+        return Err(Rejection::Empty.into());
+    }
     let sides = sides(patch, argument, &mut Arithmetic::new(statement.field(), work))?;
     let signs = Signs::new(statement.field(), work).at(values)?;
     let mut boxes = 0usize;
@@ -53,6 +56,8 @@ pub(in crate::claims) fn verify(
                 return Err(not_a_tree());
             }
             match region {
+                // Without unknowns there is nothing to halve across.
+                Region::Halved if unknowns == 0 => return Err(not_a_tree()),
                 Region::Halved => walk.halve(work).at(node)?,
                 Region::Excluded(sum) => {
                     if !excluded(&mut chart, sum, &walk, &signs, work).at(node)? {
