@@ -40,6 +40,7 @@ impl std::error::Error for Stop {}
 /// The work still allowed.
 #[derive(Clone)]
 pub struct Work {
+    allowed: u64,
     left: u64,
     held: u64,
     most: u64,
@@ -69,7 +70,7 @@ impl Work {
 
     /// The full allowance of [`limits::WORK`].
     pub fn full() -> Self {
-        Work { left: limits::WORK.at_most, held: 0, most: 0, ended: None }
+        Work { allowed: limits::WORK.at_most, left: limits::WORK.at_most, held: 0, most: 0, ended: None }
     }
 
     /// The full allowance, which whoever waits for the work can end before its time: every few million units `ended` is
@@ -78,10 +79,11 @@ impl Work {
         Work { ended: Some(Arc::new(ended)), ..Work::full() }
     }
 
-    /// Not more than so many units.
+    /// Not more than so many units from here on.
     #[must_use]
     pub fn at_most(self, units: u64) -> Self {
-        Work { left: self.left.min(units), ..self }
+        let left = self.left.min(units);
+        Work { allowed: left, left, ..self }
     }
 
     /// Takes `amount` from the allowance.
@@ -90,7 +92,7 @@ impl Work {
     /// Where less than that is left: nothing is taken then.
     pub fn charge(&mut self, amount: u64) -> Result<(), Limit> {
         let Some(left) = self.left.checked_sub(amount) else {
-            return Err(limits::WORK);
+            return Err(Limit { at_most: self.allowed, ..limits::WORK });
         };
         let asks = self.left.div_ceil(Work::PAUSE) != left.div_ceil(Work::PAUSE);
         if asks && self.ended.as_ref().is_some_and(|ended| ended()) {
@@ -100,9 +102,9 @@ impl Work {
         Ok(())
     }
 
-    /// Units taken so far from the full allowance.
+    /// Units taken so far.
     pub fn spent(&self) -> u64 {
-        limits::WORK.at_most.saturating_sub(self.left)
+        self.allowed.saturating_sub(self.left)
     }
 
     /// So many times the same.

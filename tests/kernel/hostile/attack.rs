@@ -48,6 +48,8 @@ pub(crate) enum End {
     /// No file of the format, with these words in the message.
     Refused(&'static str),
     Limit(Limit),
+    /// Out of units, however many there are.
+    OutOfWork,
 }
 
 /// Sizes, and the units that the check may take; where all are taken, how large they are makes no difference.
@@ -108,13 +110,13 @@ fn is(measured: &Measured, end: &End) -> bool {
         (Err(error @ (CheckError::Statement(_) | CheckError::Certificate(_))), End::Refused(words)) => {
             error.limit().is_none() && error.to_string().contains(words)
         }
+        (Err(error), End::OutOfWork) => error.limit().is_some_and(|limit| limit.what == limits::WORK.what),
         (Err(error), End::Limit(limit)) => error.limit() == Some(limit),
         _ => false,
     }
 }
 
-/// Out of units, however many there are.
-pub(crate) const OUT_OF_WORK: End = End::Limit(limits::WORK);
+pub(crate) const OUT_OF_WORK: End = End::OutOfWork;
 pub(crate) const OUT_OF_MEMORY: End = End::Limit(limits::MEMORY);
 
 /// Numbers without common factors, of so many digits.

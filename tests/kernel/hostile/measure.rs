@@ -36,7 +36,7 @@ pub(crate) fn alone() -> MutexGuard<'static, ()> {
 /// Checks and prints, within so many units.
 pub(crate) fn measured(statement: &[u8], certificate: &[u8], units: u64) -> Measured {
     let mut work = Work::full().at_most(units);
-    let (before, spent) = (PEAK.current_usage(), work.spent());
+    let before = PEAK.current_usage();
     let allocated = ALLOCATED.total_allocated();
     PEAK.reset_peak_usage();
     let result = check_within(statement, certificate, &mut work);
@@ -47,7 +47,7 @@ pub(crate) fn measured(statement: &[u8], certificate: &[u8], units: u64) -> Meas
     }
     Measured {
         result,
-        units: work.spent() - spent,
+        units: work.spent(),
         held: work.most_held(),
         peak: (PEAK.peak_usage() - before) as u64,
         allocated: (ALLOCATED.total_allocated() - allocated) as u64,

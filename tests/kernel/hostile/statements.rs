@@ -76,7 +76,7 @@ fn many_values_of_toml() {
         let lines = format!("convention = \"homogeneous\"\nbidegree = [1, 1]\nnet = [{net}]");
         Attack::of_statement(statement("", &[], &lines))
     });
-    ends("tables in tables", &[1, 100, 6000], FEW, &End::Refused("the net has 6000 rows"), |n| {
+    ends("tables in tables", &[1, 100, 2500], FEW, &End::Refused("the net has 2500 rows"), |n| {
         let deep = format!("{{{}=1}}", vec!["a"; 70].join("."));
         let lines =
             format!("convention = \"homogeneous\"\nbidegree = [1, 1]\nnet = [{}]", vec![deep; n].join(","));
