@@ -10,7 +10,7 @@ use crate::control::{Control, Interrupted};
 use crate::elimination::{
     Closure, Derivation, NamedStep, Outcome, Progress, Source, Tried, Undecided, eliminate, points_in_field,
 };
-use crate::exact::{self, Limit, Stop};
+use crate::exact::{self, Arithmetic, Limit, Stop};
 use crate::problem::Problem;
 use crate::proof::{NoProof, Proof};
 use crate::statement::Statement;
@@ -228,10 +228,10 @@ pub fn flattened(
                 equation => [(*equation, exact::Polynomial::integer(1))].into(),
             };
             for (equation, cofactor) in of_premise {
-                let product = cofactor.multiply(multiplier, statement.field(), &mut work).ok()?;
+                let product =
+                    Arithmetic::new(statement.field(), &mut work).product(&cofactor, multiplier).ok()?;
                 let entry = sum.entry(equation).or_default();
-                *entry =
-                    exact::Polynomial::sum(&[entry.clone(), product], statement.field(), &mut work).ok()?;
+                *entry = Arithmetic::new(statement.field(), &mut work).sum(&[entry.clone(), product]).ok()?;
                 if entry.term_count() > at_most {
                     return None;
                 }

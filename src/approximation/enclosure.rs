@@ -12,7 +12,7 @@ use super::tree::{NoTree, positive};
 use crate::certificate::{Argument, Bounds, End, Quantity, Side};
 use crate::checker::CheckError;
 use crate::control::{Control, Interrupted};
-use crate::exact::{Limit, Polynomial, Work};
+use crate::exact::{Arithmetic, Limit, Polynomial, Work};
 use crate::proof::{NoProof, Proof};
 use crate::statement::{Patch, Statement, Subject};
 
@@ -167,7 +167,7 @@ pub fn patch_at(statement: &Statement, values: &[Polynomial]) -> Result<Patch, E
     let Subject::Patch(patch) = statement.subject() else { return Err(EnclosureError::NotAPatch) };
     let (mut patch, mut work) = (patch.clone(), Work::full());
     for coordinate in patch.net.iter_mut().flatten().flatten() {
-        *coordinate = coordinate.substitute(values, statement.field(), &mut work)?;
+        *coordinate = Arithmetic::new(statement.field(), &mut work).substitute(coordinate, values)?;
     }
     Ok(patch)
 }

@@ -16,7 +16,7 @@ use super::frame::Frame;
 use super::linear::least_squares;
 use super::size::{log2, scaled};
 use crate::algebra::{self, FieldElement, MultiquadraticField, polynomial_from_exact};
-use crate::exact::{self, Limit, Polynomial, Work};
+use crate::exact::{self, Arithmetic, Limit, Polynomial, Work};
 use crate::problem::field_of;
 use crate::statement::{Patch, Statement, Subject};
 
@@ -81,7 +81,7 @@ impl Normal {
         let mut patch = patch;
         let mut work = Work::full();
         for entry in patch.net.iter_mut().flatten().flatten() {
-            *entry = entry.substitute(&forms, statement.field(), &mut work)?;
+            *entry = Arithmetic::new(statement.field(), &mut work).substitute(entry, &forms)?;
         }
         let (weight, ratio) = (rounded(frame.weight), rounded(frame.ratio));
         let fairest = Net::of(field, &patch, count).fairest(&frame, patch.bidegree);

@@ -15,7 +15,7 @@ use crate::algebra::{Magnitude, magnitude};
 use crate::bezier::surface_condition_within;
 use crate::certificate::{Quantity, Side, Units, decimal_value};
 use crate::control::Control;
-use crate::exact::Polynomial;
+use crate::exact::{Arithmetic, Polynomial};
 use crate::problem::field_of;
 use crate::statement::{Patch, Statement};
 
@@ -82,7 +82,8 @@ impl Scene {
         };
         let n = patch.bidegree.1;
         let to_degree = (0..degree).fold(field.one(), |power, _| &power * &scale);
-        let power = Polynomial::variable(3).power(degree, statement.field(), &mut control.work())?;
+        let power = Arithmetic::new(statement.field(), &mut control.work())
+            .power(&Polynomial::variable(3), degree)?;
         let size = |(m, n): (u32, u32), times: u32| ((m * times) as usize, (n * times) as usize);
         Ok(Scene {
             field,

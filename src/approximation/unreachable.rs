@@ -22,7 +22,7 @@ use crate::bezier::{BernsteinForm, surface_condition};
 use crate::certificate::{Argument, Odds, Quantity, Region as Node, Side, Units, Unreachable, decimal_value};
 use crate::checker::{CheckError, Rejection, UnreachableRejection};
 use crate::control::{Control, Interrupted};
-use crate::exact::{self, Limit, Work};
+use crate::exact::{self, Arithmetic, Limit, Work};
 use crate::problem::field_of;
 use crate::proof::{NoProof, Proof};
 use crate::statement::{Patch, Statement};
@@ -177,7 +177,8 @@ fn forms(
     let (field, patch) = (field_of(statement), &normal.patch);
     let along = |surface: exact::Polynomial| surface_condition(field, &Patch { surface, ..patch.clone() });
     let weight = exact::Polynomial::variable(3);
-    let power = weight.power(patch.surface.degree(), statement.field(), &mut Work::full())?;
+    let power =
+        Arithmetic::new(statement.field(), &mut Work::full()).power(&weight, patch.surface.degree())?;
     let (surface, power, weight) = (along(patch.surface.clone()), along(power), along(weight));
     let threshold = |bound: &Units| {
         let value = decimal_value(bound, places);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::correction::{Correction, corrections};
 use super::targets::{Target, Targets};
-use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work};
+use crate::exact::{Arithmetic, Limit, Monomial, Polynomial, Radicands, Work};
 use crate::formats::listing::{Expression, Scope, Symbol};
 use crate::statement::Place;
 
@@ -133,7 +133,7 @@ fn differences(
     work: &mut Work,
 ) -> Result<Vec<Difference>, Limit> {
     let (of_printed, of_truth) = (by_powers(printed), by_powers(truth));
-    let difference = Polynomial::sum(&[truth.clone(), printed.negate()], field, work)?;
+    let difference = Arithmetic::new(field, work).sum(&[truth.clone(), printed.negate()])?;
     let entry = |(powers, difference): (Monomial, Polynomial)| Difference {
         printed: of_printed.get(&powers).cloned().unwrap_or_default(),
         truth: of_truth.get(&powers).cloned().unwrap_or_default(),
@@ -184,8 +184,8 @@ fn factor(
     if powers != same {
         return Ok(None);
     }
-    let Some(inverse) = t.inverse(field, work)? else { return Ok(None) };
-    let factor = p.multiply(&inverse, field, work)?;
-    let multiple = truth.multiply(&factor, field, work)?;
+    let Some(inverse) = Arithmetic::new(field, work).inverse(t)? else { return Ok(None) };
+    let factor = Arithmetic::new(field, work).product(p, &inverse)?;
+    let multiple = Arithmetic::new(field, work).product(truth, &factor)?;
     Ok((multiple == *printed).then_some(factor))
 }

@@ -8,7 +8,7 @@ use num_traits::{One, Signed, Zero};
 
 use crate::algebra::{MultiquadraticField, polynomial_from_exact};
 use crate::approximation::fixed;
-use crate::exact::{Limit, Polynomial, Radicands, Work, sign};
+use crate::exact::{Arithmetic, Limit, Polynomial, Radicands, Work};
 
 /// A printed decimal: what it spells, and by how much the number meant may differ.
 #[derive(Debug, Clone)]
@@ -39,8 +39,9 @@ impl Decimal {
 /// How a constant of K compares with a rational.
 pub(super) fn compare(exact: &Polynomial, with: &BigRational, field: &Radicands) -> Result<Ordering, Limit> {
     let mut work = Work::full();
-    let difference = Polynomial::sum(&[exact.clone(), Polynomial::rational(-with)], field, &mut work)?;
-    Ok(sign(&difference, field, &mut work)?.unwrap_or(Ordering::Equal))
+    let arithmetic = &mut Arithmetic::new(field, &mut work);
+    let difference = arithmetic.difference(exact, &Polynomial::rational(with.clone()))?;
+    Ok(arithmetic.sign(&difference)?.unwrap_or(Ordering::Equal))
 }
 
 /// The decimal of a constant of K, cut off (towards zero) after some places.

@@ -60,6 +60,8 @@ pub enum Verdict {
     Undecided,
 }
 
+/// Units of work for the values of all formulas: some seconds.
+const READING: u64 = 4_000_000_000;
 /// Units of work for the explanations of all differences of a listing: what is found at all is found with much less.
 const EXPLAINING: u64 = 400_000_000;
 
@@ -144,7 +146,7 @@ impl Audit {
         let scope = scope(listing, statement)?;
         let mut named: Vec<(Symbol, Target)> = Vec::new();
         let mut printed = Vec::new();
-        let mut reading = control.work();
+        let mut reading = control.work().at_most(READING);
         for formula in &listing.formulas {
             let value = formula.expression.value(&listing.text, &scope, &mut reading);
             let value = value.map_err(|error| control.unless_stopped(AuditError::from(error)))?;

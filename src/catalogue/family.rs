@@ -25,8 +25,8 @@ fn read(text: &str) -> Result<Cap, String> {
     if m < 2 || n < 2 {
         return Err("the edges have degree 2, the patch cannot have less".to_owned());
     }
-    if m > limits::BIDEGREE || n > limits::BIDEGREE {
-        return Err(format!("degrees above {} are too large for the checker", limits::BIDEGREE));
+    if !limits::BIDEGREE.allows(m) || !limits::BIDEGREE.allows(n) {
+        return Err(format!("degrees above {} are too large for the checker", limits::BIDEGREE.at_most));
     }
     let mut words = words.peekable();
     let symmetry = match words.peek() {

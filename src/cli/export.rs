@@ -20,7 +20,7 @@ pub(super) fn run(options: &ExportOptions, format: Format) -> Result<Outcome, Fa
 fn carried_out(options: &ExportOptions, format: Format, control: &Control) -> Result<Outcome, Ended> {
     let source = find(&options.source, control)?;
     let certificate = options.certificate.as_deref();
-    let bytes = certificate.map(|file| read_limited(file, limits::CERTIFICATE_BYTES)).transpose()?;
+    let bytes = certificate.map(|file| read_limited(file, limits::CERTIFICATE_BYTES.at_most)).transpose()?;
     let which = match (certificate, &bytes) {
         (Some(file), Some(bytes)) => Which::Given { file, bytes, unchecked: options.unchecked },
         _ => Which::Found,

@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::certificate::CertificateError;
-use crate::exact::Limit;
+use crate::exact::limits;
 use crate::formats::listing::ListingError;
 use crate::statement::StatementError;
 
@@ -109,7 +109,7 @@ impl Failure {
 
     /// Whether it says that trusted work was ended from outside.
     pub fn is_end(&self) -> bool {
-        self.message.contains(&Limit::ended().to_string())
+        self.message.contains(&limits::ENDED.to_string())
     }
 }
 

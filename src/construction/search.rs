@@ -93,7 +93,7 @@ impl From<NoProof> for Refusal {
 impl From<CheckError> for Refusal {
     fn from(error: CheckError) -> Self {
         match error.limit() {
-            Some(limit) => Refusal::Limit(limit.clone()),
+            Some(limit) => Refusal::Limit(*limit),
             None => Refusal::Refused(error),
         }
     }

@@ -6,9 +6,10 @@
 
 pub use crate::claims::{
     Argument, Bounds, Cover, EDGES, EdgeTree, End, Odds, Quantity, Region, Side, Step, Tree, Units,
-    Unreachable, decimal_value, spell_decimal,
+    Unreachable, spell_decimal,
 };
 pub use crate::equations::Premise;
+pub use crate::exact::decimal_value;
 pub use crate::text::{CertificateError, CertificateFault};
 
 use crate::claims::EXPECTED;
@@ -58,12 +59,12 @@ impl Certificate {
         unknowns: usize,
         work: &mut Work,
     ) -> Result<Certificate, CertificateError> {
-        let text = check_text(bytes)?;
+        let text = check_text(bytes, work)?;
         let mut reader = Reader::new(text, ring, unknowns, work);
         let header = "`prove-cap certificate 1` or `prove-cap certificate 2`";
         let line = reader.next(header)?;
         let known = HEADERS.iter().find(|(text, _)| line == *text);
-        let (_, version) = known.ok_or_else(|| reader.unexpected(line, header))?;
+        let (_, version) = known.ok_or_else(|| unknown_version(&reader, line, header))?;
         reader.version = *version;
         let older = reader.unexpected(line, "`prove-cap certificate 1`");
         let expected = "`statement sha256 ` and 64 lower-case hexadecimal digits";
@@ -84,6 +85,15 @@ impl Certificate {
             return Err(reader.fail(1, CertificateFault::NotCanonical));
         }
         Ok(certificate)
+    }
+}
+
+/// Another first line: one of a version to come, or of no certificate.
+fn unknown_version(reader: &Reader<'_, '_>, line: &str, header: &'static str) -> CertificateError {
+    let number = line.strip_prefix("prove-cap certificate ").and_then(|number| reader.index(number).ok());
+    match number.filter(|&number| number > 0) {
+        Some(found) => reader.fail(1, CertificateFault::Version { found, known: "1 and 2" }),
+        None => reader.unexpected(line, header),
     }
 }
 

@@ -35,8 +35,8 @@ pub fn examine_within(
     certificate: &Path,
     work: &mut Work,
 ) -> Result<Result<Theorem, String>, Failure> {
-    let statement_bytes = read_limited(statement, limits::STATEMENT_BYTES)?;
-    let certificate_bytes = read_limited(certificate, limits::CERTIFICATE_BYTES)?;
+    let statement_bytes = read_limited(statement, limits::STATEMENT_BYTES.at_most)?;
+    let certificate_bytes = read_limited(certificate, limits::CERTIFICATE_BYTES.at_most)?;
     match checker::check_within(&statement_bytes, &certificate_bytes, work) {
         Ok(theorem) => Ok(Ok(theorem)),
         Err(CheckError::Rejected(rejection)) => Ok(Err(rejection.to_string())),
@@ -64,7 +64,7 @@ pub fn check(statement: &Path, certificate: &Path) -> Result<Outcome, Failure> {
 
 /// `canonical`.
 pub fn canonical(statement: &Path) -> Result<Outcome, Failure> {
-    let bytes = read_limited(statement, limits::STATEMENT_BYTES)?;
+    let bytes = read_limited(statement, limits::STATEMENT_BYTES.at_most)?;
     let read = Statement::read_bytes(&bytes, &mut Work::full())
         .map_err(|error| Failure(format!("{}:{error}", statement.display())))?;
     Ok(Outcome::plain(read.canonical()))

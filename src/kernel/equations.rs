@@ -9,11 +9,9 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::One;
 
-use crate::exact::{Monomial, Polynomial, Radicands, Stop, Work, combination};
+use crate::exact::{Arithmetic, Monomial, Polynomial, Stop, Work};
 use crate::statement::{Patch, Statement, Subject};
 
 /// The parameters t and s, beyond any unknown a statement can have.
@@ -53,14 +51,18 @@ pub struct Equations {
 impl Equations {
     /// Derives the equations.
     pub fn of(statement: &Statement, work: &mut Work) -> Result<Self, Stop> {
+        let arithmetic = &mut Arithmetic::new(statement.field(), work);
         let mut by_name = match statement.subject() {
-            Subject::Patch(patch) => coefficients(statement, patch, work)?,
+            Subject::Patch(patch) => coefficients(patch, arithmetic)?,
             Subject::System(polynomials) => {
-                (1..).map(Premise::Equation).zip(polynomials.iter().cloned()).collect()
+                let copies = polynomials.iter().map(|polynomial| arithmetic.copied(polynomial));
+                let copies: Vec<Polynomial> = copies.collect::<Result<_, _>>()?;
+                (1..).map(Premise::Equation).zip(copies).collect()
             }
         };
         for (number, assumed) in (1u32..).zip(statement.nonzero()) {
-            by_name.insert(Premise::Nonzero(number), rabinowitsch(statement, number, assumed, work)?);
+            let equation = rabinowitsch(statement.unknowns().len(), number, assumed, arithmetic)?;
+            by_name.insert(Premise::Nonzero(number), equation);
         }
         Ok(Equations { by_name })
     }
@@ -78,17 +80,17 @@ impl Equations {
 
 /// d·`t[k]` − 1, which has a zero in `t[k]` exactly where d ≠ 0.
 fn rabinowitsch(
-    statement: &Statement,
+    unknowns: usize,
     number: u32,
     assumed: &Polynomial,
-    work: &mut Work,
+    arithmetic: &mut Arithmetic<'_>,
 ) -> Result<Polynomial, Stop> {
     // t[1] is the variable after the last unknown.
-    let index = u32::try_from(statement.unknowns().len()).ok().and_then(|count| count.checked_add(number));
+    let index = u32::try_from(unknowns).ok().and_then(|count| count.checked_add(number));
     let index = index.and_then(|index| u16::try_from(index.checked_sub(1)?).ok());
     let index = index.ok_or(Stop::Defect("a Rabinowitsch variable beyond all variables"))?;
-    let product = assumed.multiply(&Polynomial::variable(index), statement.field(), work)?;
-    Ok(Polynomial::sum(&[product, Polynomial::integer(-1)], statement.field(), work)?)
+    let (one, minus_one) = (Polynomial::integer(1), Polynomial::integer(-1));
+    Ok(arithmetic.dot(&[(assumed, &Polynomial::variable(index)), (&one, &minus_one)])?)
 }
 
 /// F(X̂, Ŷ, Ẑ, Ŵ) and its arguments, polynomials in t, s and the unknowns.
@@ -101,34 +103,39 @@ pub(crate) struct Expanded {
 }
 
 /// Substitutes the net into the surface.
-pub(crate) fn expand(field: &Radicands, patch: &Patch, work: &mut Work) -> Result<Expanded, Stop> {
+pub(crate) fn expand(patch: &Patch, arithmetic: &mut Arithmetic<'_>) -> Result<Expanded, Stop> {
     let (m, n) = patch.bidegree;
     let mut basis = Vec::new();
     for (i, j) in indices(m, n) {
-        let binomials = BigRational::from_integer(binomial(m, i) * binomial(n, j));
-        basis.push(Polynomial::term(binomials, parameters(i, j)?));
+        let (of_u, of_v) = (binomial(m, i)?, binomial(n, j)?);
+        let both = of_u.checked_mul(of_v).ok_or(BINOMIALS)?;
+        basis.push(Polynomial::term(BigRational::from_integer(both.into()), parameters(i, j)?));
     }
     let mut coordinates = Vec::with_capacity(4);
     for k in 0..4usize {
         let entries = patch.net.iter().flatten().filter_map(|point| point.get(k));
         let pairs: Vec<(&Polynomial, &Polynomial)> = entries.zip(&basis).collect();
-        coordinates.push(combination(&pairs, field, work)?);
+        coordinates.push(arithmetic.dot(&pairs)?);
     }
-    let surface = patch.surface.substitute(&coordinates, field, work)?;
+    let surface = arithmetic.substitute(&patch.surface, &coordinates)?;
     let weight = coordinates.pop().unwrap_or_default();
     Ok(Expanded { surface, position: coordinates, weight })
 }
 
 fn coefficients(
-    statement: &Statement,
     patch: &Patch,
-    work: &mut Work,
+    arithmetic: &mut Arithmetic<'_>,
 ) -> Result<BTreeMap<Premise, Polynomial>, Stop> {
     let (m, n) = patch.bidegree;
-    let expanded = expand(statement.field(), patch, work)?.surface;
+    let expanded = expand(patch, arithmetic)?.surface;
 
     let degree = patch.surface.degree();
     let (last_r, last_s) = (m.saturating_mul(degree), n.saturating_mul(degree));
+    // A place for each equation, and the terms, copied once more.
+    let places = u64::from(last_r).saturating_add(1).saturating_mul(u64::from(last_s).saturating_add(1));
+    arithmetic.work.keep(places.saturating_mul(256))?;
+    arithmetic.charge_copy(&expanded)?;
+    arithmetic.charge_copy(&expanded)?;
     let mut collected: BTreeMap<Premise, Vec<(Monomial, BigRational)>> = BTreeMap::new();
     collected.extend(indices(last_r, last_s).map(|(r, s)| (Premise::Coefficient(r, s), Vec::new())));
     for (monomial, coefficient) in expanded.terms() {
@@ -136,7 +143,11 @@ fn coefficients(
         let name = Premise::Coefficient(of_parameters.exponent(T), of_parameters.exponent(S));
         collected.entry(name).or_default().push((of_unknowns, coefficient.clone()));
     }
-    Ok(collected.into_iter().map(|(name, terms)| (name, Polynomial::from_terms(terms))).collect())
+    let mut by_name = BTreeMap::new();
+    for (name, terms) in collected {
+        by_name.insert(name, arithmetic.gathered(terms)?);
+    }
+    Ok(by_name)
 }
 
 /// (0,0), (0,1), …, (m,n).
@@ -150,8 +161,14 @@ fn parameters(i: u32, j: u32) -> Result<Monomial, Stop> {
     Ok(Monomial::new(0, powers).ok_or(Stop::Defect("parameters out of order"))??)
 }
 
+/// Degrees are at most 32, and C(32, 16)² has 59 bits.
+const BINOMIALS: Stop = Stop::Defect("a binomial coefficient of more than 64 bits");
+
 /// The binomial coefficient C(n, k), by Pascal's product: each partial product is a binomial coefficient.
-fn binomial(n: u32, k: u32) -> BigInt {
-    let steps = (0..k).map(|i| (BigInt::from(n) - BigInt::from(i), BigInt::from(i) + BigInt::one()));
-    steps.fold(BigInt::one(), |product, (factor, divisor)| product * factor / divisor)
+fn binomial(n: u32, k: u32) -> Result<u64, Stop> {
+    (0..k).try_fold(1u64, |product, i| {
+        let factor = u64::from(n.checked_sub(i).ok_or(BINOMIALS)?);
+        let divisor = u64::from(i).checked_add(1).ok_or(BINOMIALS)?;
+        product.checked_mul(factor).and_then(|product| product.checked_div(divisor)).ok_or(BINOMIALS)
+    })
 }

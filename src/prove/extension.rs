@@ -100,7 +100,7 @@ fn larger_fields(
     let field = polynomial.field();
     let squarefree = polynomial.squarefree(|| control.check())?;
     if let Some(discriminant) = squarefree.discriminant() {
-        let radicands = discriminant.radicands_of_root(limits::RADICAND);
+        let radicands = discriminant.radicands_of_root(limits::RADICAND.number());
         return Ok(radicands.and_then(|radicands| field.with(&radicands)).into_iter().collect());
     }
     if squarefree.count_real_roots(|| control.check())? == 0 {

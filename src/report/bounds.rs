@@ -15,7 +15,7 @@ use crate::approximation::{Barrier, Enclosure, EndVerdict, Finding};
 use crate::certificate::{Bounds, End, Quantity, decimal_value, spell_decimal};
 use crate::checker::Theorem;
 use crate::commands::Gap;
-use crate::exact::{Limit, Polynomial, Work};
+use crate::exact::{Arithmetic, Limit, Polynomial, Work};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
 /// `r` or `F/W²`.
@@ -273,7 +273,7 @@ fn evaluated(statement: &Statement, values: &[Polynomial]) -> Result<Vec<Vec<Hom
     let mut work = Work::full();
     let mut net = patch.net.clone();
     for entry in net.iter_mut().flatten().flatten() {
-        *entry = entry.substitute(values, statement.field(), &mut work)?;
+        *entry = Arithmetic::new(statement.field(), &mut work).substitute(entry, values)?;
     }
     Ok(net)
 }

@@ -83,7 +83,7 @@ pub(super) fn collected(field: &Radicands, polynomial: &Polynomial) -> BTreeMap<
     let mut collected: BTreeMap<Monomial, Coefficient> = BTreeMap::new();
     for (monomial, value) in polynomial.terms() {
         let powers = Monomial::new(0, monomial.powers().to_vec()).and_then(Result::ok);
-        let root = field.under_root(monomial.mask());
+        let root = field.under_root(monomial.mask()).cloned().unwrap_or_else(BigInt::one);
         collected.entry(powers.unwrap_or_else(Monomial::one)).or_default().push((root, value.clone()));
     }
     collected

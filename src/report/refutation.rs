@@ -9,7 +9,7 @@ use super::setting;
 use crate::algebra::polynomial_to_exact;
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::control::Control;
-use crate::exact::Polynomial;
+use crate::exact::{Arithmetic, Polynomial};
 use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_of, grouped};
 use crate::problem::Problem;
 use crate::prove::flattened;
@@ -231,7 +231,9 @@ fn contradiction(
         .zip(values)
         .map(|(index, value)| value.clone().unwrap_or_else(|| Polynomial::variable(index)))
         .collect();
-    let value = polynomial.substitute(&at, problem.statement().field(), &mut control.work()).ok()?;
+    let value = Arithmetic::new(problem.statement().field(), &mut control.work())
+        .substitute(&polynomial, &at)
+        .ok()?;
     let when = if polynomial.is_constant() { "Identically" } else { "With these values" };
     (value.is_constant() && !value.is_zero())
         .then(|| format!("   {when} {equation} = {}, not 0:\n", notation.polynomial(&value)))

@@ -8,7 +8,7 @@ use prove_cap::algebra::{
     FieldElement, Integer, Monomial, MultiquadraticField, Polynomial, Univariate, polynomial_from_exact,
     polynomial_to_exact, splitting_primes,
 };
-use prove_cap::exact::{self, Radicands, Ring, Work};
+use prove_cap::exact::{self, Arithmetic, Radicands, Ring, Work};
 
 const RADICANDS: [u32; 3] = [2, 3, 5];
 
@@ -98,16 +98,16 @@ proptest! {
     fn the_two_algebras_agree(f in polynomial(), g in polynomial()) {
         let (field, mut work) = (radicands(), Work::full());
         let (a, b) = (polynomial_to_exact(&f).unwrap(), polynomial_to_exact(&g).unwrap());
-        let product = a.multiply(&b, &field, &mut work).unwrap();
+        let product = Arithmetic::new(&field, &mut work).product(&a, &b).unwrap();
         prop_assert_eq!(&product, &polynomial_to_exact(&f.multiply(&g)).unwrap());
-        let sum = exact::Polynomial::sum(&[a, b], &field, &mut work).unwrap();
+        let sum = Arithmetic::new(&field, &mut work).sum(&[a, b]).unwrap();
         prop_assert_eq!(&sum, &polynomial_to_exact(&f.add(&g)).unwrap());
         prop_assert_eq!(polynomial_from_exact(f.field(), &product), f.multiply(&g));
     }
 
     #[test]
     fn the_two_inverses_agree(a in element()) {
-        let inverse = constant(&a).inverse(&radicands(), &mut Work::full()).unwrap();
+        let inverse = Arithmetic::new(&radicands(), &mut Work::full()).inverse(&constant(&a)).unwrap();
         prop_assert_eq!(inverse, a.inverse().map(|inverse| constant(&inverse)));
     }
 
@@ -136,7 +136,7 @@ proptest! {
     fn signs_are_those_of_an_enclosure(a in element(), b in element()) {
         // a·a − b·b·(…) gets close to zero more often than random elements do.
         for value in [a.clone(), &a - &b, &(&a * &a) - &(&b * &b)] {
-            let sign = exact::sign(&constant(&value), &radicands(), &mut Work::full()).unwrap().unwrap();
+            let sign = Arithmetic::new(&radicands(), &mut Work::full()).sign(&constant(&value)).unwrap().unwrap();
             let (low, high) = enclosure(&value);
             if value.is_zero() {
                 prop_assert_eq!(sign, std::cmp::Ordering::Equal);
@@ -301,7 +301,7 @@ proptest! {
         use prove_cap::algebra::Sign;
         let value = &(&a * &b) - &(&b * &(&a + &(&c * &c)));
         let exact = polynomial_to_exact(&Polynomial::constant(value.clone())).unwrap();
-        let trusted = exact::sign(&exact, &radicands(), &mut Work::full()).unwrap().unwrap();
+        let trusted = Arithmetic::new(&radicands(), &mut Work::full()).sign(&exact).unwrap().unwrap();
         let own = match value.sign() {
             Sign::Negative => Ordering::Less,
             Sign::Zero => Ordering::Equal,

@@ -20,7 +20,7 @@ use prove_cap::checker::{
     check, check_read,
 };
 use prove_cap::control::{Control, Why};
-use prove_cap::exact::{Polynomial, Work};
+use prove_cap::exact::{Arithmetic, Polynomial, Work};
 use prove_cap::statement::{Statement, Subject};
 
 fn built_in(name: &str) -> Statement {
@@ -155,7 +155,7 @@ mod fixed {
 fn net_at(statement: &Statement, values: &[Polynomial]) -> Vec<Vec<[BigInt; 4]>> {
     let Subject::Patch(patch) = statement.subject() else { panic!("a patch") };
     let at = |entry: &Polynomial| {
-        fixed::of(&entry.substitute(values, statement.field(), &mut Work::full()).unwrap())
+        fixed::of(&Arithmetic::new(statement.field(), &mut Work::full()).substitute(entry, values).unwrap())
     };
     patch.net.iter().map(|row| row.iter().map(|point| point.each_ref().map(at)).collect()).collect()
 }
@@ -304,7 +304,8 @@ fn the_best_outer_and_inner_patches_are_recognised() {
     assert_eq!(outer.enclosure.bounds.values[0], w);
     assert_eq!(outer.enclosure.bounds.lower.bound, BigInt::from(10).pow(12));
     let field = built_in("cap-2x2").field().clone();
-    let p = w.multiply(&outer.enclosure.bounds.values[1], &field, &mut Work::full()).unwrap();
+    let p =
+        Arithmetic::new(&field, &mut Work::full()).product(&w, &outer.enclosure.bounds.values[1]).unwrap();
     assert_eq!(p, constant("1 - sqrt(2)/2 + sqrt(6)/3"));
     let inner = found("cap-2x2", Objective::Inner, &[]);
     assert!(inner.recognised);

@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
 use prove_cap::algebra::{MultiquadraticField, polynomial_from_exact};
-use prove_cap::exact::{Monomial, NoRoot, Polynomial, Radicands, Ring, Work, sign};
+use prove_cap::exact::{Arithmetic, Monomial, NoRoot, Polynomial, Radicands, Ring, Work};
 use prove_cap::formats::listing::{Expression, Scope};
 use prove_cap::report::Notation;
 use prove_cap::statement::{Statement, StatementFault};
@@ -32,11 +32,11 @@ fn elements(count: usize) -> impl Strategy<Value = (Radicands, Vec<Polynomial>)>
 }
 
 fn times(a: &Polynomial, b: &Polynomial, field: &Radicands) -> Polynomial {
-    a.multiply(b, field, &mut Work::full()).unwrap()
+    Arithmetic::new(field, &mut Work::full()).product(a, b).unwrap()
 }
 
 fn sign_of(a: &Polynomial, field: &Radicands) -> Ordering {
-    sign(a, field, &mut Work::full()).unwrap().unwrap()
+    Arithmetic::new(field, &mut Work::full()).sign(a).unwrap().unwrap()
 }
 
 fn absolute(a: &Polynomial, field: &Radicands) -> Polynomial {
@@ -44,7 +44,7 @@ fn absolute(a: &Polynomial, field: &Radicands) -> Polynomial {
 }
 
 fn root(a: &Polynomial, field: &Radicands) -> Result<Polynomial, NoRoot> {
-    a.square_root(field, &mut Work::full()).unwrap()
+    Arithmetic::new(field, &mut Work::full()).square_root(a).unwrap()
 }
 
 fn ring(field: &Radicands) -> Ring {
@@ -80,7 +80,7 @@ proptest! {
     #[test]
     fn radicands_have_roots((field, x) in elements(1), mask in 0u8..16) {
         let mask = mask & field.masks().last().unwrap();
-        let n = Polynomial::integer(field.under_root(mask));
+        let n = Polynomial::integer(field.under_root(mask).unwrap().clone());
         let under = times(&times(&x[0], &x[0], &field), &n, &field);
         let radical = Polynomial::term(BigRational::from_integer(1.into()), Monomial::radical(mask));
         prop_assert_eq!(root(&under, &field), Ok(times(&absolute(&x[0], &field), &radical, &field)));

@@ -7,7 +7,7 @@ use prove_cap::approximation::{Enclosure, EnclosureError, enclose};
 use prove_cap::catalogue;
 use prove_cap::certificate::{Bounds, spell_decimal};
 use prove_cap::control::Control;
-use prove_cap::exact::{Polynomial, Work};
+use prove_cap::exact::{Arithmetic, Polynomial, Work};
 use prove_cap::statement::{Statement, Subject};
 
 /// Positive elements of Q(√2), tiny, huge, and units.
@@ -26,7 +26,7 @@ fn multiplied(statement: &Statement, values: &[Polynomial], all: &str, row: &str
     let Subject::Patch(patch) = statement.subject() else { panic!("a patch") };
     let ring = statement.ring();
     let entry = |i: usize, entry: &Polynomial| {
-        let value = entry.substitute(values, statement.field(), &mut Work::full()).unwrap();
+        let value = Arithmetic::new(statement.field(), &mut Work::full()).substitute(entry, values).unwrap();
         format!("\"({})*({all})*({row})^{i}\"", ring.spell(&value))
     };
     let rows: Vec<String> = (0..)

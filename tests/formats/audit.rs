@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use prove_cap::audit::{Audit, Change, Finding, Judgement, PAPER, Relation};
 use prove_cap::control::{Control, Why};
-use prove_cap::exact::Polynomial;
+use prove_cap::exact::{Arithmetic, Polynomial};
 use prove_cap::expand::{Basis, coefficients};
 use prove_cap::formats::listing::{Listing, Notation};
 use prove_cap::report::latex;
@@ -159,9 +159,9 @@ fn assert_difference(finding: &Finding) {
     let mut work = prove_cap::exact::Work::full();
     let mut sum = vec![finding.printed.clone()];
     for d in &finding.differences {
-        sum.push(d.difference.multiply(&d.powers, statement.field(), &mut work).unwrap());
+        sum.push(Arithmetic::new(statement.field(), &mut work).product(&d.difference, &d.powers).unwrap());
     }
-    assert_eq!(Polynomial::sum(&sum, statement.field(), &mut work).unwrap(), finding.truth);
+    assert_eq!(Arithmetic::new(statement.field(), &mut work).sum(&sum).unwrap(), finding.truth);
 }
 
 fn rows() -> Vec<String> {

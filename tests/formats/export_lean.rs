@@ -6,7 +6,7 @@ use crate::lean::{Environment, MODULUS, Verified, add, multiply, power, verify};
 use crate::support::{LARGEST, committed, damaged, folders};
 use num_bigint::BigInt;
 use prove_cap::certificate::{Argument, Certificate, Premise};
-use prove_cap::exact::{Polynomial, Work};
+use prove_cap::exact::{Arithmetic, Polynomial, Work};
 use prove_cap::formats::export::{Case, ExportError, Target, export};
 use prove_cap::statement::{COORDINATES, Statement, Subject};
 
@@ -135,12 +135,9 @@ fn damage_shows_where_it_is() {
         let Argument::Impossible(steps) = &certificate.argument else { panic!("{name}") };
         for (position, step) in steps.iter().enumerate() {
             let nudged = |polynomial: &Polynomial| {
-                Polynomial::sum(
-                    &[polynomial.clone(), Polynomial::integer(1)],
-                    statement.field(),
-                    &mut Work::full(),
-                )
-                .unwrap()
+                Arithmetic::new(statement.field(), &mut Work::full())
+                    .sum(&[polynomial.clone(), Polynomial::integer(1)])
+                    .unwrap()
             };
             let twins = [
                 damaged(&certificate, |steps| steps[position].conclusion = nudged(&step.conclusion)),

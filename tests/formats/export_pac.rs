@@ -9,7 +9,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::checker::Equations;
-use prove_cap::exact::{Polynomial, Work};
+use prove_cap::exact::{Arithmetic, Polynomial, Work};
 use prove_cap::formats::export::{Case, ExportError, Target, export, pac_files};
 use prove_cap::statement::Statement;
 
@@ -23,7 +23,8 @@ fn steps(certificate: &Certificate) -> &[Step] {
 }
 
 fn nudged(polynomial: &Polynomial, statement: &Statement, by: i32) -> Polynomial {
-    Polynomial::sum(&[polynomial.clone(), Polynomial::integer(by)], statement.field(), &mut Work::full())
+    Arithmetic::new(statement.field(), &mut Work::full())
+        .sum(&[polynomial.clone(), Polynomial::integer(by)])
         .unwrap()
 }
 

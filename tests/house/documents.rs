@@ -79,33 +79,36 @@ fn the_format_page_states_the_limits_in_force() {
     let rows = [
         ("bytes of a statement file", limits::STATEMENT_BYTES),
         ("bytes of a certificate file", limits::CERTIFICATE_BYTES),
-        ("bytes of a line of a certificate", limits::LINE_BYTES as u64),
-        ("steps", limits::STEPS as u64),
-        ("decimal places of a bound", limits::PLACES.into()),
-        ("boxes of a tree, or of all charts", limits::BOXES as u64),
-        ("samples", limits::SAMPLES as u64),
-        ("decimal digits of an integer", limits::DIGITS as u64),
-        ("terms of a polynomial", limits::TERMS as u64),
-        ("powers of variables in all terms of a polynomial", limits::POWERS as u64),
+        ("bytes of a line of a certificate", limits::LINE_BYTES),
+        ("steps", limits::STEPS),
+        ("decimal places of a bound", limits::PLACES),
+        ("boxes of a tree, or of all charts", limits::BOXES),
+        ("samples", limits::SAMPLES),
+        ("decimal digits of an integer", limits::DIGITS),
+        ("terms of a polynomial", limits::TERMS),
+        ("powers of variables in all terms of a polynomial", limits::POWERS),
         ("bits of a number on the way to a result (a common denominator, a product)", limits::BITS),
         ("bits of all numbers of one sum", limits::SUM_BITS),
         ("bits of all numbers of a statement", limits::STATEMENT_BITS),
-        ("total degree of a power product, and any exponent", limits::DEGREE.into()),
-        ("unknowns", limits::UNKNOWNS as u64),
-        ("assumptions", limits::ASSUMPTIONS as u64),
-        ("polynomials of a system", limits::EQUATIONS as u64),
-        ("m and n", limits::BIDEGREE.into()),
-        ("degree of the surface", limits::SURFACE_DEGREE.into()),
-        ("nested brackets", limits::NESTING as u64),
-        ("radicands", limits::RADICANDS as u64),
-        ("value of a radicand", limits::RADICAND.into()),
-        ("characters of a name", limits::NAME as u64),
-        ("characters of a title", limits::TITLE as u64),
+        ("total degree of a power product, and any exponent", limits::DEGREE),
+        ("unknowns", limits::UNKNOWNS),
+        ("assumptions", limits::ASSUMPTIONS),
+        ("polynomials of a system", limits::EQUATIONS),
+        ("m and n", limits::BIDEGREE),
+        ("degree of the surface", limits::SURFACE_DEGREE),
+        ("nested brackets", limits::NESTING),
+        ("radicands", limits::RADICANDS),
+        ("value of a radicand", limits::RADICAND),
+        ("characters of a name", limits::NAME),
+        ("characters of a title", limits::TITLE),
     ];
     for (what, limit) in rows {
-        assert!(page.contains(&format!("| {what} | {limit} |")), "{what}: {limit}");
+        let row = format!("| {what} | {} |", limit.at_most);
+        assert!(page.contains(&row), "{row}");
     }
-    assert_eq!(limits::WORK, 4_000_000_000, "the page says 4·10⁹");
+    assert_eq!(limits::DEGREE.at_most, limits::EXPONENT.at_most, "one row for both");
+    assert_eq!(limits::WORK.at_most, 15_000_000_000, "the page says 15·10⁹");
+    assert_eq!(limits::MEMORY.at_most, 800_000_000, "the page says 8·10⁸");
 }
 
 #[test]

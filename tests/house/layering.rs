@@ -1,6 +1,6 @@
 //! The order of the modules in lib.rs is the architecture: each may use those above it, none below.
 //!
-//! (The kernel is a crate of its own; there the compiler sees to it.) Paths are read as tokens, so that comments and
+//! (That the kernel uses nothing else the compiler sees to; its own modules are layers too.) Paths are read as tokens, so that comments and
 //! strings are no uses and every way to write a path is: nested groups, `super`, renaming.
 
 use std::fs;
@@ -144,6 +144,70 @@ fn the_command_line_is_thin() {
         for word in ["clap", "std::fs", "println", "json!", "process::"] {
             assert!(!text.contains(word), "{} has {word}", file.display());
         }
+    }
+}
+
+/// The modules that a file declares, in its order.
+fn declared(file: &Path) -> Vec<String> {
+    let text = fs::read_to_string(file).unwrap_or_default();
+    let lines = text.lines().filter(|line| !line.starts_with(' '));
+    let name = |line: &str| {
+        let line = line
+            .trim_start_matches("pub(crate) ")
+            .trim_start_matches("pub(super) ")
+            .trim_start_matches("pub ");
+        Some(line.strip_prefix("mod ")?.strip_suffix(';')?.to_owned())
+    };
+    lines.filter_map(name).collect()
+}
+
+/// In the kernel each module uses those above it only, within every folder too; in `exact` and `statement` nothing uses what its
+/// own folder's `mod.rs` puts together.
+#[test]
+fn the_kernel_has_no_circles() {
+    let root = Path::new("src/kernel");
+    let mut compared = 0;
+    for file in files(root).iter().filter(|file| !file.ends_with("main.rs") && !file.ends_with("lib.rs")) {
+        let module = module_of(file)[1..].to_vec();
+        let text = fs::read_to_string(file).unwrap();
+        for path in used(&module, text.parse().unwrap()) {
+            let shared = module.iter().zip(&path).take_while(|(a, b)| a == b).count();
+            let (Some(own), Some(other)) = (module.get(shared), path.get(shared)) else { continue };
+            let parent = module[..shared].iter().fold(root.to_owned(), |folder, name| folder.join(name));
+            let layers = declared(&parent.join(if shared == 0 { "lib.rs" } else { "mod.rs" }));
+            let place = |name: &String| layers.iter().position(|layer| layer == name);
+            match (place(own), place(other)) {
+                (Some(own_place), Some(other_place)) => {
+                    compared += 1;
+                    assert!(other_place < own_place, "{}: {own} uses {other}, a lower layer", file.display());
+                }
+                (_, None) => assert!(
+                    !["exact", "statement"].contains(&module[0].as_str()),
+                    "{}: {other} is put together in its own folder's mod.rs",
+                    file.display()
+                ),
+                (None, _) => panic!("{}: {own} is declared nowhere", file.display()),
+            }
+        }
+    }
+    assert!(compared > 50, "paths are found: {compared}");
+}
+
+/// Long numbers are calculated with in one file of the kernel: the lints are lifted nowhere else.
+#[test]
+fn arithmetic_is_in_one_place() {
+    let lifts = |file: &&PathBuf| {
+        let text = fs::read_to_string(file).unwrap();
+        ["arithmetic_side_effects", "disallowed_methods"].iter().any(|lint| text.contains(lint))
+    };
+    let found = files(Path::new("src/kernel"));
+    let found: Vec<&PathBuf> = found.iter().filter(lifts).collect();
+    assert_eq!(found, [Path::new("src/kernel/exact/numbers.rs")]);
+    let clippy = fs::read_to_string("clippy.toml").unwrap();
+    assert!(!clippy.contains("arithmetic-side-effects-allowed"), "no type is excepted");
+    let manifest = fs::read_to_string("src/kernel/Cargo.toml").unwrap();
+    for lint in ["arithmetic_side_effects", "disallowed_methods"] {
+        assert!(manifest.contains(&format!("{lint} = \"deny\"")), "{lint}");
     }
 }
 

@@ -8,7 +8,7 @@ use prove_cap::catalogue::{self, ENTRIES};
 use prove_cap::certificate::{Argument, Certificate, Premise};
 use prove_cap::checker::{CheckError, Claim, ExactRejection, Rejection, check, check_read};
 use prove_cap::control::Control;
-use prove_cap::exact::{Polynomial, Radicands, Work};
+use prove_cap::exact::{Arithmetic, Polynomial, Radicands, Work};
 use prove_cap::prove::{Attempt, prove};
 use prove_cap::statement::Statement;
 
@@ -136,7 +136,7 @@ fn changed(
     let step = step % steps.len();
     let nudge = |polynomial: &Polynomial, by: i32| {
         let summands = [polynomial.clone(), Polynomial::integer(by)];
-        Polynomial::sum(&summands, field, &mut Work::full()).unwrap()
+        Arithmetic::new(field, &mut Work::full()).sum(&summands).unwrap()
     };
     let length = steps[step].combination.len();
     match kind {
@@ -195,7 +195,7 @@ fn an_exact_claim_with_a_changed_value_is_refused() {
         for k in 0..original.len() {
             let mut values = original.clone();
             let summands = [values[k].clone(), Polynomial::integer(1)];
-            values[k] = Polynomial::sum(&summands, statement.field(), &mut Work::full()).unwrap();
+            values[k] = Arithmetic::new(statement.field(), &mut Work::full()).sum(&summands).unwrap();
             let forged = Certificate { argument: Argument::Exact(values), ..certificate.clone() };
             let result = check_read(&statement, &forged);
             assert!(matches!(result, Err(CheckError::Rejected(_))), "{name}, value {k}: {result:?}");

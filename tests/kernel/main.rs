@@ -1,6 +1,5 @@
 //! The trusted part: what it accepts, what it refuses, and in what words.
 
 mod best;
-mod hostile;
 mod reject;
 mod theorem;

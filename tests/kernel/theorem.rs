@@ -2,7 +2,7 @@
 
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::checker::{CheckError, Claim, ExactNet, Theorem, check_read};
-use prove_cap::exact::Polynomial;
+use prove_cap::exact::{Arithmetic, Polynomial};
 use prove_cap::statement::Statement;
 
 fn proved(text: &str, argument: Argument) -> Theorem {
@@ -125,7 +125,7 @@ fn ill_formed_certificates_in_memory_prove_nothing() {
     };
     let x = Polynomial::variable(0);
     let mut work = prove_cap::exact::Work::full();
-    let square = x.multiply(&x, statement.field(), &mut work).unwrap();
+    let square = Arithmetic::new(statement.field(), &mut work).product(&x, &x).unwrap();
     refused(Argument::Exact(vec![x.clone(), square]));
     refused(Argument::Exact(vec![Polynomial::integer(1)]));
     let root = Polynomial::term(

@@ -243,7 +243,6 @@ def read_unreachable(c, lines, statement):
             need(boxes <= limits.BOXES, "too many boxes")
             if lines.peek() == "halve":
                 lines.take()
-                need(statement.unknowns, "without unknowns there is nothing to halve")
                 chart.append(None)
                 still += 1
             else:

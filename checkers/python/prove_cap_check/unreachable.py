@@ -186,6 +186,7 @@ def no_positive(field, tensors):
 
 def check_unreachable(c, s):
     check_quantity(c, s, c.between)
+    rule(c.between[0] < c.between[1], "no number is strictly between the two bounds")
     sides = Sides(c, s)
     k = len(s.unknowns)
     for number, chart in enumerate(c.charts, 1):
@@ -196,6 +197,7 @@ def check_unreachable(c, s):
         for line in chart:
             box, depth = stack.pop()
             if line is None:
+                rule(k > 0, "without unknowns no box is halved")
                 i = depth % k
                 low, high, den = box[i]
                 low, high, den = 2 * low, 2 * high, 2 * den

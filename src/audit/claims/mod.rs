@@ -13,7 +13,7 @@ use super::compare::Finding;
 use super::phrase::Phrase;
 use super::targets::Targets;
 use crate::control::Control;
-use crate::exact::{Limit, Polynomial};
+use crate::exact::{Arithmetic, Limit, Polynomial};
 use crate::formats::listing::{
     Claim, ClaimKind, Expression, Listing, ListingError, ListingFault, Scope, Symbol,
 };
@@ -134,6 +134,6 @@ impl<'a> Claimed<'a> {
 
     /// a − b.
     fn difference(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Limit> {
-        Polynomial::sum(&[a.clone(), b.negate()], self.case.statement.field(), &mut self.control.work())
+        Arithmetic::new(self.case.statement.field(), &mut self.control.work()).sum(&[a.clone(), b.negate()])
     }
 }

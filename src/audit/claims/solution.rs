@@ -7,7 +7,7 @@ use crate::audit::AuditError;
 use crate::audit::decimal::{Decimal, decimal};
 use crate::audit::phrase::Phrase;
 use crate::audit::span::{Solutions, solve};
-use crate::exact;
+use crate::exact::{self, Arithmetic};
 use crate::formats::listing::{Expression, Scope, Symbol};
 use crate::problem::field_of;
 
@@ -63,7 +63,8 @@ pub(super) fn solution(
     let mut phrase = Phrase::default();
     for (position, (variable, found)) in variables.iter().zip(&found).enumerate() {
         let symbolic = at.value(variable, at.case.scope)?;
-        let claimed = symbolic.substitute(&point, at.case.statement.field(), &mut at.control.work())?;
+        let claimed = Arithmetic::new(at.case.statement.field(), &mut at.control.work())
+            .substitute(&symbolic, &point)?;
         let found = polynomial_to_exact(&Polynomial::constant(found.clone()))?;
         holds &= claimed == found;
         equations.push(at.difference(&symbolic, &found)?);
@@ -120,7 +121,7 @@ pub(super) fn values(
     let mut groups: Vec<(exact::Polynomial, Vec<&Symbol>)> = Vec::new();
     let mut evidence = Vec::new();
     for (label, text) in printed {
-        let exact = at.truth(label)?.substitute(&point, field, &mut at.control.work())?;
+        let exact = Arithmetic::new(field, &mut at.control.work()).substitute(at.truth(label)?, &point)?;
         if !Decimal::read(text).is_close_to(&exact, field)? {
             evidence.push(
                 Phrase::default()

@@ -6,7 +6,7 @@ use super::{AuditError, Claimed};
 use crate::algebra::{
     FieldElement, Polynomial as Computed, Univariate, polynomial_from_exact, polynomial_to_exact,
 };
-use crate::exact::Polynomial;
+use crate::exact::{Arithmetic, Polynomial};
 use crate::problem::field_of;
 
 /// What equations that hold at a point say about other points.
@@ -34,7 +34,7 @@ pub(super) fn others(
             .zip(settled)
             .map(|((k, value), settled)| if *settled { value.clone() } else { Polynomial::variable(k) })
             .collect();
-        equation.substitute(&values, field, &mut at.control.work())
+        Arithmetic::new(field, &mut at.control.work()).substitute(equation, &values)
     };
     let mut settled = vec![false; point.len()];
     let mut open: Vec<Polynomial> = equations.to_vec();
@@ -57,7 +57,9 @@ pub(super) fn others(
             let root = polynomial_to_exact(&Computed::constant(root))?;
             let mut other = point.to_vec();
             other[place] = root.clone();
-            let hold = |equation: &Polynomial| equation.substitute(&other, field, &mut at.control.work());
+            let hold = |equation: &Polynomial| {
+                Arithmetic::new(field, &mut at.control.work()).substitute(equation, &other)
+            };
             let holds = equations.iter().map(hold).collect::<Result<Vec<_>, _>>()?;
             if root != point[place] && holds.iter().all(Polynomial::is_zero) {
                 return Ok(Others::One(place, root));

@@ -16,7 +16,7 @@ use crate::algebra::{FieldElement, Polynomial as Univariable, Univariate, polyno
 use crate::audit::AuditError;
 use crate::bezier::{BernsteinForm, surface_condition_within};
 use crate::control::{Control, Interrupted};
-use crate::exact::Polynomial;
+use crate::exact::{Arithmetic, Polynomial};
 use crate::formats::net::{Convention, PrintedNet, premultiplied};
 use crate::problem::field_of;
 use crate::statement::{Patch, Statement, Subject};
@@ -165,9 +165,9 @@ impl Search<'_> {
         }
         let weight = point[3].clone();
         for coordinate in &mut point[..3] {
-            *coordinate = coordinate.multiply(&t, field, &mut work)?;
+            *coordinate = Arithmetic::new(field, &mut work).product(coordinate, &t)?;
         }
-        let inverse = weight.inverse(field, &mut work)?;
+        let inverse = Arithmetic::new(field, &mut work).inverse(&weight)?;
         let meant = match self.net.convention {
             Convention::Homogeneous => Some(weight),
             Convention::Cartesian => inverse,

@@ -15,7 +15,7 @@ use crate::algebra::{
 use crate::audit::AuditError;
 use crate::bezier::surface_condition_within;
 use crate::control::Control;
-use crate::exact::Polynomial;
+use crate::exact::{Arithmetic, Polynomial};
 use crate::formats::net::{Convention, PrintedNet, premultiplied};
 use crate::problem::field_of;
 use crate::statement::{Patch, Statement, Subject};
@@ -103,7 +103,7 @@ fn bounds(
             let mut enlarged = point.clone();
             for number in &mut enlarged {
                 let sum = [of_absolute_terms(number), Polynomial::variable(0)];
-                *number = Polynomial::sum(&sum, &net.field, &mut work)?;
+                *number = Arithmetic::new(&net.field, &mut work).sum(&sum)?;
             }
             points.push(premultiplied(&enlarged, net.convention, &net.field, &mut work)?);
         }

@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use super::text::harmless;
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::control::{Control, Interrupted};
-use crate::exact::{Limit, Polynomial, Radicands, Stop};
+use crate::exact::{Arithmetic, Limit, Polynomial, Radicands, Stop};
 use crate::statement::{HomogeneousPoint, Patch, Statement, Subject};
 
 /// What is exported: the equations and why they have no common zero, or the one they have.
@@ -115,7 +115,9 @@ impl Case {
         let assumptions = match &argument {
             Reasoning::Impossible(_) => statement.nonzero().to_vec(),
             Reasoning::Exact(values) => {
-                let at = |assumed: &Polynomial| assumed.substitute(values, &field, &mut control.work());
+                let at = |assumed: &Polynomial| {
+                    Arithmetic::new(&field, &mut control.work()).substitute(assumed, values)
+                };
                 statement.nonzero().iter().map(at).collect::<Result<_, _>>()?
             }
         };
@@ -181,7 +183,7 @@ fn with_values(
     control: &Control,
 ) -> Result<Subject, Limit> {
     let mut work = control.work();
-    let mut at = |polynomial: &Polynomial| polynomial.substitute(values, field, &mut work);
+    let mut at = |polynomial: &Polynomial| Arithmetic::new(field, &mut work).substitute(polynomial, values);
     Ok(match subject {
         Subject::System(polynomials) => {
             Subject::System(polynomials.iter().map(at).collect::<Result<_, _>>()?)

@@ -12,14 +12,14 @@ use super::case::{Case, ExportError};
 use crate::certificate::Premise;
 use crate::checker::Equations;
 use crate::control::Control;
-use crate::exact::{Limit, Monomial, Polynomial, Radicands, combination};
+use crate::exact::{Arithmetic, Limit, Monomial, Polynomial, Radicands};
 
 /// Σ aᵢ·bᵢ over Q in the generators, nothing reduced.
 pub(super) fn sum_of_products(
     pairs: &[(&Polynomial, &Polynomial)],
     control: &Control,
 ) -> Result<Polynomial, Limit> {
-    combination(pairs, &rationals(), &mut control.work())
+    Arithmetic::new(&rationals(), &mut control.work()).dot(pairs)
 }
 
 /// Q: the generators that were roots are variables like others.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::error::{ListingFault, Located};
 use super::expression::{Expression, Kind, Operator};
 use super::token::Symbol;
-use crate::exact::{Limit, Polynomial, Radicands, Work};
+use crate::exact::{Arithmetic, Limit, Polynomial, Radicands, Work};
 
 /// What names stand for.
 #[derive(Debug, Clone)]
@@ -53,7 +53,7 @@ pub(crate) fn evaluate(
         Kind::Number(value) => Ok(Polynomial::rational(value.clone())),
         Kind::Name(symbol) => match scope.names.get(symbol) {
             Some(Some(meaning)) => {
-                work.charge_copy(meaning).map_err(here)?;
+                Arithmetic::new(&scope.field, work).charge_copy(meaning).map_err(here)?;
                 Ok(meaning.clone())
             }
             Some(None) => Err(fault(ListingFault::AmbiguousName { name: symbol.to_string() })),
@@ -68,7 +68,7 @@ pub(crate) fn evaluate(
                 let value = evaluate(&term.term, scope, work)?;
                 summands.push(if term.minus { value.negate() } else { value });
             }
-            Polynomial::sum(&summands, &scope.field, work).map_err(here)
+            Arithmetic::new(&scope.field, work).sum(&summands).map_err(here)
         }
         Kind::Product(first, factors) => {
             let mut product = evaluate(first, scope, work)?;
@@ -77,17 +77,17 @@ pub(crate) fn evaluate(
                 if *operator == Operator::Over {
                     value = reciprocal(&value, scope, work).map_err(|fault| (fault, factor.span.clone()))?;
                 }
-                product = product.multiply(&value, &scope.field, work).map_err(here)?;
+                product = Arithmetic::new(&scope.field, work).product(&product, &value).map_err(here)?;
             }
             Ok(product)
         }
         Kind::Power(base, exponent, _) => {
             let base = evaluate(base, scope, work)?;
-            base.power(*exponent, &scope.field, work).map_err(here)
+            Arithmetic::new(&scope.field, work).power(&base, *exponent).map_err(here)
         }
         Kind::Root(inside) => {
             let value = evaluate(inside, scope, work)?;
-            let root = value.square_root(&scope.field, work).map_err(here)?;
+            let root = Arithmetic::new(&scope.field, work).square_root(&value).map_err(here)?;
             root.map_err(|why| fault(ListingFault::Root { outside: format!("{}{why}", scope.field) }))
         }
     }
@@ -97,5 +97,5 @@ fn reciprocal(value: &Polynomial, scope: &Scope, work: &mut Work) -> Result<Poly
     if value.is_zero() {
         return Err(ListingFault::DivisionByZero);
     }
-    value.inverse(&scope.field, work)?.ok_or(ListingFault::DivisionByUnknown)
+    Arithmetic::new(&scope.field, work).inverse(value)?.ok_or(ListingFault::DivisionByUnknown)
 }

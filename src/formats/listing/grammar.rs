@@ -19,7 +19,7 @@ use super::error::{ListingFault, Located, shown};
 use super::expression::{Expression, Formula, Kind as Part, Operator, Signed};
 use super::pieces::pieces;
 use super::token::{Bracket, Kind, Token};
-use crate::exact::{Limit, limits};
+use crate::exact::limits;
 
 /// Reads all formulas; `text` is what the tokens were read from, for messages.
 pub(super) fn formulas(text: &str, tokens: &[Token]) -> Result<Vec<Formula>, Located> {
@@ -254,9 +254,9 @@ impl<'a> Parser<'a> {
         if !value.is_integer() {
             return Err((ListingFault::Exponent, span));
         }
-        match value.to_u32().filter(|&exponent| exponent <= limits::DEGREE) {
+        match value.to_u32().filter(|&exponent| limits::EXPONENT.allows(exponent)) {
             Some(exponent) => Ok((exponent, span)),
-            None => Err((Limit::new("in an exponent", limits::DEGREE.into()).into(), span)),
+            None => Err((limits::EXPONENT.into(), span)),
         }
     }
 
@@ -337,9 +337,7 @@ impl<'a> Parser<'a> {
         let start = self.place();
         self.next();
         self.depth += 1;
-        if self.depth > limits::NESTING {
-            return Err((Limit::new("nested brackets", 64).into(), start));
-        }
+        limits::NESTING.check(self.depth).map_err(|limit| (limit.into(), start.clone()))?;
         let inside = self.expression()?;
         self.depth -= 1;
         let (opened, expected) = bracket.spelled();

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::error::ListingFault;
-use crate::exact::{Limit, limits};
+use crate::exact::limits;
 
 /// How many digits a text starts with.
 pub(super) fn digits_at(text: &str) -> usize {
@@ -15,9 +15,7 @@ pub(super) fn digits_at(text: &str) -> usize {
 pub(super) fn number_at(text: &str) -> Result<(BigRational, usize), ListingFault> {
     let whole = digits_at(text);
     let decimals = text[whole..].strip_prefix('.').map_or(0, digits_at);
-    if whole + decimals > limits::DIGITS {
-        return Err(Limit::digits().into());
-    }
+    limits::DIGITS.check(whole + decimals)?;
     let length = if decimals > 0 { whole + 1 + decimals } else { whole };
     let after = &text[length..];
     if after.starts_with(',') && digits_at(&after[1..]) > 0 || after.starts_with("{,}") {

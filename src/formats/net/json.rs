@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::NetError;
 use super::{Convention, PrintedNet};
-use crate::exact::{Polynomial, Radicands, Work, limits};
+use crate::exact::{Arithmetic, Polynomial, Radicands, Work, limits};
 use crate::formats::listing::{Expression, Scope};
 use crate::statement::Statement;
 
@@ -89,7 +89,7 @@ pub(super) fn wrong(place: &str, why: &str) -> NetError {
 /// Refuses nets that are not rectangular, or too large to be a patch.
 pub(super) fn check_shape(points: &[Vec<[Polynomial; 4]>]) -> Result<(), String> {
     let columns = points.first().map_or(0, Vec::len);
-    let at_most = limits::BIDEGREE as usize + 1;
+    let at_most = limits::BIDEGREE.length() + 1;
     if let Some(row) = points.iter().position(|row| row.len() != columns) {
         return Err(format!("row {row} has {} points, row 0 has {columns}", points[row].len()));
     }
@@ -148,10 +148,10 @@ fn entry(number: &Value, basis: &[u32], field: &Radicands) -> Result<Polynomial,
                 };
                 let rational = expression(&rational, field)?;
                 let root = expression(&format!("sqrt({root})"), field)?;
-                let product = rational.multiply(&root, field, &mut Work::full());
+                let product = Arithmetic::new(field, &mut Work::full()).product(&rational, &root);
                 summands.push(product.map_err(|limit| limit.to_string())?);
             }
-            Polynomial::sum(&summands, field, &mut Work::full()).map_err(|limit| limit.to_string())
+            Arithmetic::new(field, &mut Work::full()).sum(&summands).map_err(|limit| limit.to_string())
         }
         _ => Err("expected an expression in quotes, an integer, or one coordinate for each basis element"
             .to_owned()),

@@ -71,7 +71,7 @@ fn roots_in(text: &str) -> Vec<u32> {
     let numbers = arguments.flat_map(|argument| argument.split(|c: char| !c.is_ascii_digit()));
     numbers
         .filter_map(|digits| digits.parse().ok())
-        .filter(|&n: &u32| n > 1 && n <= limits::RADICAND)
+        .filter(|&n: &u32| n > 1 && limits::RADICAND.allows(n))
         .collect()
 }
 
@@ -132,7 +132,7 @@ impl Reader<'_> {
         let inside = indices.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
         let parts: Vec<&str> = inside.unwrap_or_default().split(',').map(str::trim).collect();
         let number = |part: &str| {
-            part.parse::<usize>().ok().filter(|&n| n > 0 && n <= limits::BIDEGREE as usize + 1).map(|n| n - 1)
+            part.parse::<usize>().ok().filter(|&n| n > 0 && n <= limits::BIDEGREE.length() + 1).map(|n| n - 1)
         };
         match parts.as_slice() {
             [":", ":", j] if number(j).is_some() => {

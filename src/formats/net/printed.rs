@@ -1,7 +1,7 @@
 //! A control net as it was printed.
 
 use super::NetError;
-use crate::exact::{Polynomial, Radicands, Ring, Work};
+use crate::exact::{Arithmetic, Polynomial, Radicands, Ring, Work};
 use crate::formats::statement_file::{Draft, DraftSubject, Layout};
 use crate::statement::{Convention, Statement, Subject};
 
@@ -113,7 +113,7 @@ pub fn premultiplied(
     let mut homogeneous = point.clone();
     if convention == Convention::Cartesian {
         for coordinate in &mut homogeneous[..3] {
-            *coordinate = coordinate.multiply(&point[3], field, work)?;
+            *coordinate = Arithmetic::new(field, work).product(coordinate, &point[3])?;
         }
     }
     Ok(homogeneous)
@@ -121,10 +121,10 @@ pub fn premultiplied(
 
 /// (X/W, Y/W, Z/W, W); zeros where W is zero, as in a Cartesian net nothing else can be.
 fn divided(point: &[Polynomial; 4], field: &Radicands, work: &mut Work) -> Result<[Polynomial; 4], NetError> {
-    let inverse = point[3].inverse(field, work)?.unwrap_or_default();
+    let inverse = Arithmetic::new(field, work).inverse(&point[3])?.unwrap_or_default();
     let mut cartesian = point.clone();
     for coordinate in &mut cartesian[..3] {
-        *coordinate = coordinate.multiply(&inverse, field, work)?;
+        *coordinate = Arithmetic::new(field, work).product(coordinate, &inverse)?;
     }
     Ok(cartesian)
 }

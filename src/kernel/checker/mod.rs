@@ -20,7 +20,7 @@ pub use theorem::Theorem;
 
 use crate::certificate::Certificate;
 use crate::exact::Work;
-use crate::failure::Failure;
+use crate::failure::{At, Failure};
 use crate::statement::Statement;
 
 /// Checks the bytes of a certificate file against the bytes of a statement file.
@@ -78,6 +78,8 @@ pub fn check_text_within(
     let certificate = Certificate::read(certificate, &statement.ring(), statement.unknowns().len(), work)?;
     same(statement, &certificate.statement)?;
     let claim = certificate.argument.verify(statement, work)?;
+    // What the theorem holds and says.
+    statement.charge_theorem(work).at(Place::Values).map_err(|failure: Failure<Rejection>| failure)?;
     Ok(Theorem::established(statement, claim))
 }
 

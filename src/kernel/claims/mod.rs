@@ -4,13 +4,14 @@
 //! `verify` (the rules of FORMAT.md, section 6), the values that a completed check establishes, each with its `kind`,
 //! `sentence` and `details`, and `Rejection`, the ways in which it can be wrong.
 
-mod bounds;
-mod cover;
+// Layers: each uses those above it only.
+mod wording;
 mod exact;
 mod impossible;
 mod subdivision;
+mod bounds;
 mod unreachable;
-mod wording;
+mod cover;
 
 use std::fmt;
 
@@ -23,9 +24,7 @@ pub use bounds::{Bounded, Bounds, End, Rejection as BoundsRejection};
 pub use cover::{Cover, Covered, EDGES, EdgeTree, Rejection as CoverRejection};
 pub use exact::{ExactNet, Rejection as ExactRejection, Solution};
 pub use impossible::{Refuted, Rejection as ImpossibleRejection, Step};
-pub use subdivision::{
-    Quantity, Rejection as SubdivisionRejection, Side, Tree, Units, decimal_value, spell_decimal,
-};
+pub use subdivision::{Quantity, Rejection as SubdivisionRejection, Side, Tree, Units, spell_decimal};
 pub use unreachable::{Excluded, Odds, Region, Rejection as UnreachableRejection, Unreachable};
 pub use wording::written;
 

@@ -8,21 +8,27 @@
 //! order to speak of (only an order of spelling), no division of polynomials, no elimination.
 //! The prover has its own, faster algebra and does not use this one to reason.
 
-mod combination;
+// Layers: each uses those above it only.
 pub mod limits;
+mod work;
+mod numbers;
+mod radicands;
 mod monomial;
 mod polynomial;
-mod radicands;
-mod root;
+mod arithmetic;
+mod substitution;
 mod sign;
+mod root;
 mod spelling;
-mod work;
 
-pub use combination::combination;
+pub use arithmetic::Arithmetic;
+pub use limits::Limit;
 pub use monomial::Monomial;
+pub(crate) use numbers::bytes;
+pub use numbers::decimal_value;
 pub use polynomial::Polynomial;
 pub use radicands::{Radicands, RadicandsError};
 pub use root::NoRoot;
-pub use sign::sign;
 pub use spelling::{Ring, SpellingError, read_natural};
-pub use work::{Limit, Stop, Work};
+pub(crate) use work::count;
+pub use work::{Stop, Work};

@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::limits;
-use super::work::Limit;
+use super::limits::{self, Limit};
+use super::work::count;
 
 /// A basis element of K[x₀, x₁, …] over Q: the root named by a mask of radicands, times a power product.
 ///
@@ -37,9 +37,14 @@ impl Monomial {
         }
         let degree = powers.iter().try_fold(0u32, |sum, &(_, exponent)| sum.checked_add(exponent));
         Some(match degree {
-            Some(degree) if degree <= limits::DEGREE => Ok(Monomial { degree, powers, radical: mask }),
-            _ => Err(Monomial::limit()),
+            Some(degree) if limits::DEGREE.allows(degree) => Ok(Monomial { degree, powers, radical: mask }),
+            _ => Err(limits::DEGREE),
         })
+    }
+
+    /// A variable.
+    pub fn variable(variable: u16) -> Self {
+        Monomial { degree: 1, powers: vec![(variable, 1)], radical: 0 }
     }
 
     /// The square of a variable.
@@ -53,6 +58,20 @@ impl Monomial {
             |&(other, old): &(u16, u32)| (other, if other == variable { old.min(exponent) } else { old });
         let powers: Vec<(u16, u32)> =
             self.powers.iter().map(lower).filter(|&(_, exponent)| exponent > 0).collect();
+        let degree = powers.iter().fold(0u32, |sum, &(_, exponent)| sum.saturating_add(exponent));
+        Monomial { degree, powers, radical: self.radical }
+    }
+
+    /// The memory of the powers.
+    pub(crate) fn bytes(&self) -> u64 {
+        // The allocator's own part, and eight bytes for each power.
+        count(self.powers.len()).saturating_mul(8).saturating_add(24)
+    }
+
+    /// The root, and the powers of some of the variables.
+    pub(crate) fn kept(&self, stays: impl Fn(u16) -> bool) -> Self {
+        let powers: Vec<(u16, u32)> =
+            self.powers.iter().filter(|(variable, _)| stays(*variable)).copied().collect();
         let degree = powers.iter().fold(0u32, |sum, &(_, exponent)| sum.saturating_add(exponent));
         Monomial { degree, powers, radical: self.radical }
     }
@@ -90,8 +109,8 @@ impl Monomial {
 
     /// The product, and the mask of the radicands whose roots met: √a·√b = (Π a∩b)·√(a△b).
     pub fn product(&self, other: &Self) -> Result<(Self, u8), Limit> {
-        let degree = self.degree.checked_add(other.degree).filter(|&sum| sum <= limits::DEGREE);
-        let degree = degree.ok_or_else(Monomial::limit)?;
+        let degree = self.degree.checked_add(other.degree).filter(|&sum| limits::DEGREE.allows(sum));
+        let degree = degree.ok_or(limits::DEGREE)?;
         let mut powers = Vec::with_capacity(self.powers.len().saturating_add(other.powers.len()));
         let (mut left, mut right) = (self.powers.iter().peekable(), other.powers.iter().peekable());
         loop {
@@ -110,10 +129,6 @@ impl Monomial {
         }
         let product = Monomial { degree, powers, radical: self.radical ^ other.radical };
         Ok((product, self.radical & other.radical))
-    }
-
-    fn limit() -> Limit {
-        Limit::new("in the degree of a power product", limits::DEGREE.into())
     }
 }
 

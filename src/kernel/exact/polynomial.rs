@@ -1,4 +1,5 @@
-//! Polynomials over K as sums of basis elements with non-zero rational coefficients.
+//! Polynomials over K as sums of basis elements with non-zero rational coefficients. What is calculated with them is in
+//! [`super::Arithmetic`].
 
 use std::hash::{Hash, Hasher};
 
@@ -6,25 +7,27 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::combination::combination;
 use super::monomial::Monomial;
-use super::radicands::Radicands;
-use super::work::{Limit, Work};
+use super::numbers;
+
+/// A basis element of K[x₀, x₁, …] over Q and what stands in front of it.
+type Term = (Monomial, BigRational);
 
 /// A polynomial with coefficients in K; a constant of K is one without variables.
 #[derive(Debug, Clone, Default)]
 pub struct Polynomial {
     /// In the order of spelling, each monomial once, no coefficient zero, all in lowest terms.
-    terms: Vec<(Monomial, BigRational)>,
+    terms: Vec<Term>,
+    /// The memory of the terms.
+    bytes: u64,
 }
 
 /// Equality by numerators and denominators. (`Ratio` compares and hashes by continued fractions, recursively:
 /// two long numbers would exhaust the stack.)
 impl PartialEq for Polynomial {
     fn eq(&self, other: &Self) -> bool {
-        let same = |((m, a), (n, b)): (&(Monomial, BigRational), &(Monomial, BigRational))| {
-            m == n && a.numer() == b.numer() && a.denom() == b.denom()
-        };
+        let same =
+            |((m, a), (n, b)): (&Term, &Term)| m == n && a.numer() == b.numer() && a.denom() == b.denom();
         self.terms.len() == other.terms.len() && self.terms.iter().zip(&other.terms).all(same)
     }
 }
@@ -59,10 +62,7 @@ impl Polynomial {
 
     /// The variable with this index.
     pub fn variable(index: u16) -> Self {
-        match Monomial::new(0, vec![(index, 1)]) {
-            Some(Ok(monomial)) => Polynomial::term(BigRational::one(), monomial),
-            _ => Polynomial::zero(), // not reached: one variable to the first power is well formed
-        }
+        Polynomial::term(BigRational::one(), Monomial::variable(index))
     }
 
     /// `coefficient · monomial`.
@@ -77,7 +77,22 @@ impl Polynomial {
             terms.sort_by(|(a, _), (b, _)| a.cmp(b));
         }
         terms.shrink_to_fit();
-        Polynomial { terms }
+        let bytes = terms.iter().fold(0u64, |sum, (monomial, value)| {
+            sum.saturating_add(Polynomial::bytes_of(monomial, value.numer(), value.denom()))
+        });
+        Polynomial { terms, bytes }
+    }
+
+    /// The memory of one term.
+    pub(crate) fn bytes_of(monomial: &Monomial, numerator: &BigInt, denominator: &BigInt) -> u64 {
+        const TERM: u64 = 96;
+        let numbers = numbers::bytes(numerator).saturating_add(numbers::bytes(denominator));
+        monomial.bytes().saturating_add(numbers).saturating_add(TERM)
+    }
+
+    /// The memory of all terms.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.bytes
     }
 
     /// The terms in the order of spelling.
@@ -118,7 +133,8 @@ impl Polynomial {
 
     /// The total degree; 0 for the zero polynomial.
     pub fn degree(&self) -> u32 {
-        self.terms.iter().map(|(monomial, _)| monomial.degree()).max().unwrap_or(0)
+        // The order of spelling has the largest degree first.
+        self.terms.first().map_or(0, |(monomial, _)| monomial.degree())
     }
 
     /// The radicands that occur, as one mask.
@@ -135,90 +151,9 @@ impl Polynomial {
         }
     }
 
-    /// The sum of polynomials.
-    pub fn sum(of: &[Polynomial], field: &Radicands, work: &mut Work) -> Result<Self, Limit> {
-        let one = Polynomial::integer(1);
-        let pairs: Vec<(&Polynomial, &Polynomial)> = of.iter().map(|summand| (&one, summand)).collect();
-        combination(&pairs, field, work)
-    }
-
-    /// `−self`.
+    /// −self, a sign at each term; for those who need not account for the copy.
     pub fn negate(&self) -> Self {
-        Polynomial { terms: self.terms.iter().map(|(monomial, value)| (monomial.clone(), -value)).collect() }
-    }
-
-    /// `self · other`.
-    pub fn multiply(&self, other: &Self, field: &Radicands, work: &mut Work) -> Result<Self, Limit> {
-        combination(&[(self, other)], field, work)
-    }
-
-    /// `self` to a power, by repeated multiplication.
-    pub fn power(&self, exponent: u32, field: &Radicands, work: &mut Work) -> Result<Self, Limit> {
-        let mut product = Polynomial::integer(1);
-        for _ in 0..exponent {
-            product = product.multiply(self, field, work)?;
-        }
-        Ok(product)
-    }
-
-    /// 1/self for a non-zero constant of K, `None` otherwise.
-    ///
-    /// x·σ(x) is fixed by σ: √d ↦ −√d, so after one such step for each radicand a rational is left.
-    pub fn inverse(&self, field: &Radicands, work: &mut Work) -> Result<Option<Self>, Limit> {
-        if self.is_zero() || !self.is_constant() {
-            return Ok(None);
-        }
-        let (mut norm, mut cofactor) = (self.clone(), Polynomial::integer(1));
-        for bit in field.generators() {
-            if norm.mask() & bit != 0 {
-                let conjugate = norm.conjugate(bit);
-                cofactor = cofactor.multiply(&conjugate, field, work)?;
-                norm = norm.multiply(&conjugate, field, work)?;
-            }
-        }
-        match norm.as_rational() {
-            Some(value) if !value.is_zero() => {
-                let inverse = Polynomial::rational(value.recip());
-                Ok(Some(cofactor.multiply(&inverse, field, work)?))
-            }
-            _ => Ok(None),
-        }
-    }
-
-    /// The sum of the terms without and of those with √d, for the radicand d in `bit`.
-    pub(super) fn parts(&self, bit: u8) -> (Self, Self) {
-        let part = |with_root: bool| {
-            let terms = self.terms().filter(|(monomial, _)| (monomial.mask() & bit != 0) == with_root);
-            Polynomial::from_terms(terms.map(|(monomial, value)| (monomial.clone(), value.clone())))
-        };
-        (part(false), part(true))
-    }
-
-    /// The image under √d ↦ −√d for the radicand in `bit`.
-    fn conjugate(&self, bit: u8) -> Self {
-        let flip = |(monomial, value): &(Monomial, BigRational)| {
-            (monomial.clone(), if monomial.mask() & bit == 0 { value.clone() } else { -value })
-        };
-        Polynomial { terms: self.terms.iter().map(flip).collect() }
-    }
-
-    /// The value at `variable k = values[k]`; variables beyond the list stay.
-    pub fn substitute(
-        &self,
-        values: &[Polynomial],
-        field: &Radicands,
-        work: &mut Work,
-    ) -> Result<Self, Limit> {
-        let mut products = Vec::with_capacity(self.terms.len());
-        for (monomial, coefficient) in &self.terms {
-            let mut product = Polynomial::term(coefficient.clone(), Monomial::radical(monomial.mask()));
-            for &(variable, exponent) in monomial.powers() {
-                let value = values.get(usize::from(variable)).cloned();
-                let value = value.unwrap_or_else(|| Polynomial::variable(variable));
-                product = product.multiply(&value.power(exponent, field, work)?, field, work)?;
-            }
-            products.push(product);
-        }
-        Polynomial::sum(&products, field, work)
+        let negated = |(monomial, value): &Term| (monomial.clone(), numbers::negated(value.clone()));
+        Polynomial { terms: self.terms.iter().map(negated).collect(), bytes: self.bytes }
     }
 }

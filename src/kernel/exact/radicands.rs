@@ -5,12 +5,8 @@
 use std::fmt;
 
 use num_bigint::BigInt;
-use num_integer::Integer;
-use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
 
 use super::limits;
-use super::work::{Limit, Work};
 
 /// Distinct primes in increasing order; the field they generate has degree 2ᵏ over Q because they are.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -37,13 +33,13 @@ impl fmt::Display for RadicandsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             RadicandsError::TooMany(count) => {
-                write!(f, "{count} radicands, expected at most {}", limits::RADICANDS)
+                write!(f, "{count} radicands, expected at most {}", limits::RADICANDS.at_most)
             }
             RadicandsError::NotPrime(value) => {
                 write!(f, "radicand {value} is not a prime; for √6 list the primes 2 and 3")
             }
             RadicandsError::TooLarge(value) => {
-                write!(f, "radicand {value} is larger than {}", limits::RADICAND)
+                write!(f, "radicand {value} is larger than {}", limits::RADICAND.at_most)
             }
             RadicandsError::Repeated(value) => write!(f, "radicand {value} is listed twice"),
         }
@@ -55,12 +51,12 @@ impl std::error::Error for RadicandsError {}
 impl Radicands {
     /// Sorts and checks a list of radicands.
     pub fn new(mut values: Vec<u32>) -> Result<Self, RadicandsError> {
-        if values.len() > limits::RADICANDS {
+        if !limits::RADICANDS.allows(values.len()) {
             return Err(RadicandsError::TooMany(values.len()));
         }
         values.sort_unstable();
         for (position, &value) in values.iter().enumerate() {
-            if value > limits::RADICAND {
+            if !limits::RADICAND.allows(value) {
                 return Err(RadicandsError::TooLarge(value));
             }
             if !is_prime(value) {
@@ -70,12 +66,12 @@ impl Radicands {
                 return Err(RadicandsError::Repeated(value));
             }
         }
-        // Each radicand doubles the list: the products with it follow those without.
-        let products = values.iter().fold(vec![BigInt::one()], |products, &value| {
-            let with = products.iter().map(|product| product * BigInt::from(value)).collect();
+        // Each radicand doubles the list: the products with it follow those without. Four radicands make at most 10²⁴.
+        let products = values.iter().fold(vec![1u128], |products, &value| {
+            let with = products.iter().map(|product| product.saturating_mul(u128::from(value))).collect();
             [products, with].concat()
         });
-        Ok(Radicands { values, products })
+        Ok(Radicands { values, products: products.into_iter().map(BigInt::from).collect() })
     }
 
     /// The radicands, increasing.
@@ -94,36 +90,14 @@ impl Radicands {
         0..=end
     }
 
-    /// The product of the radicands in `mask`: the number under the root.
-    pub fn under_root(&self, mask: u8) -> BigInt {
-        self.products.get(usize::from(mask)).cloned().unwrap_or_else(BigInt::one)
+    /// The product of the radicands in `mask`, the number under the root; `None` for a mask of another field.
+    pub fn under_root(&self, mask: u8) -> Option<&BigInt> {
+        self.products.get(usize::from(mask))
     }
 
-    /// √q for a rational q ≥ 0 as `rational · √(mask)`, or `None` where it is not in the field.
-    pub fn square_root(&self, q: &BigRational, work: &mut Work) -> Result<Option<(BigRational, u8)>, Limit> {
-        if q.is_negative() {
-            return Ok(None);
-        }
-        if q.is_zero() {
-            return Ok(Some((BigRational::zero(), 0)));
-        }
-        // √(a/b) = √(ab)/b, and √(ab) = s·√n iff ab/n is the square s² for one squarefree n of the field.
-        work.charge_product(q.numer(), q.denom())?;
-        let product = q.numer() * q.denom();
-        for mask in self.masks() {
-            work.charge_product(&product, &product)?;
-            let (quotient, remainder) = product.div_rem(&self.under_root(mask));
-            if !remainder.is_zero() {
-                continue;
-            }
-            work.charge_root(&quotient)?;
-            let root = quotient.sqrt();
-            if &root * &root == quotient {
-                work.charge_gcd(&root, q.denom())?;
-                return Ok(Some((BigRational::new(root, q.denom().clone()), mask)));
-            }
-        }
-        Ok(None)
+    /// How many masks there are: the degree of the field over Q.
+    pub(crate) fn degree(&self) -> usize {
+        self.products.len()
     }
 }
 

@@ -4,18 +4,18 @@
 //! rational in lowest terms and left out where it is 1 and something follows. The reader accepts exactly
 //! what the writer writes. The grammar is in `proofs/FORMAT.md`.
 
-use std::fmt::{self, Write as _};
+use std::fmt;
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::limits;
+use super::limits::{self, Limit};
 use super::monomial::Monomial;
+use super::numbers::negated;
 use super::polynomial::Polynomial;
 use super::radicands::Radicands;
-use super::work::{Limit, Work};
+use super::work::{Work, count};
 
 /// The names that polynomials are spelled with: the field and its variables, by index.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -91,38 +91,86 @@ impl Ring {
 
     /// The canonical spelling.
     pub fn spell(&self, polynomial: &Polynomial) -> String {
-        if polynomial.is_zero() {
-            return "0".into();
-        }
         let mut text = String::new();
+        // Writing to a String cannot fail.
+        let _ = self.write(polynomial, &mut text);
+        text
+    }
+
+    /// Writes the canonical spelling, term by term.
+    ///
+    /// # Errors
+    /// Those of what is written to.
+    pub fn write(&self, polynomial: &Polynomial, to: &mut impl fmt::Write) -> fmt::Result {
+        if polynomial.is_zero() {
+            to.write_str("0")?;
+        }
         for (position, (monomial, coefficient)) in polynomial.terms().enumerate() {
-            text.push_str(match (position, coefficient.is_negative()) {
+            to.write_str(match (position, coefficient.is_negative()) {
                 (0, false) => "",
                 (0, true) => "-",
                 (_, false) => " + ",
                 (_, true) => " - ",
-            });
-            self.spell_term(&mut text, monomial, &coefficient.abs());
+            })?;
+            self.write_term(monomial, coefficient, to)?;
         }
-        text
+        Ok(())
     }
 
-    fn spell_term(&self, text: &mut String, monomial: &Monomial, coefficient: &BigRational) {
-        let mut factors = Vec::new();
-        if !coefficient.is_one() || *monomial == Monomial::one() {
-            factors.push(coefficient.to_string());
+    /// A term without its sign.
+    fn write_term(
+        &self,
+        monomial: &Monomial,
+        coefficient: &BigRational,
+        to: &mut impl fmt::Write,
+    ) -> fmt::Result {
+        let (size, denominator) = (coefficient.numer().magnitude(), coefficient.denom());
+        let mut between = "";
+        if !(size.is_one() && denominator.is_one()) || *monomial == Monomial::one() {
+            write!(to, "{size}")?;
+            if !denominator.is_one() {
+                write!(to, "/{denominator}")?;
+            }
+            between = "*";
         }
         if monomial.mask() != 0 {
-            factors.push(format!("sqrt({})", self.field.under_root(monomial.mask())));
+            // A root of another field has no spelling, and what is written is read by nobody.
+            let under_root = self.field.under_root(monomial.mask()).ok_or(fmt::Error)?;
+            write!(to, "{between}sqrt({under_root})")?;
+            between = "*";
         }
         for &(variable, exponent) in monomial.powers() {
-            let mut factor = self.variables.get(usize::from(variable)).cloned().unwrap_or_default();
+            to.write_str(between)?;
+            to.write_str(self.variables.get(usize::from(variable)).map_or("", String::as_str))?;
             if exponent > 1 {
-                let _ = write!(factor, "^{exponent}"); // writing to a String cannot fail
+                write!(to, "^{exponent}")?;
             }
-            factors.push(factor);
+            between = "*";
         }
-        text.push_str(&factors.join("*"));
+        Ok(())
+    }
+
+    /// The length that spelling a polynomial has at most.
+    pub(crate) fn text_bytes(polynomial: &Polynomial) -> u64 {
+        // A name, `^` and up to four digits; signs, a root and its radicands; log₁₀ 2 < 1/3.
+        let power = limits::NAME.at_most.saturating_add(6);
+        let powers = count(polynomial.power_count()).saturating_mul(power);
+        let terms = count(polynomial.term_count()).saturating_mul(48);
+        polynomial.bit_count().div_ceil(3).saturating_add(powers).saturating_add(terms)
+    }
+
+    /// What spelling a polynomial costs: no more than its memory, and its numbers.
+    pub(crate) fn charge_spelling(polynomial: &Polynomial, work: &mut Work) -> Result<(), Limit> {
+        work.charge(polynomial.bytes().saturating_mul(10).saturating_add(Work::TERM))?;
+        for (_, value) in polynomial.terms() {
+            // Short numbers are in the price of the term.
+            for number in [value.numer(), value.denom()] {
+                if number.bits() > 128 {
+                    work.charge_spelling(number)?;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Reads a canonical spelling.
@@ -138,9 +186,7 @@ pub fn read_natural(text: &str) -> Result<(BigInt, &str), SpellingError> {
     if digits == 0 {
         return Err(expected(0, "a number", text));
     }
-    if digits > limits::DIGITS {
-        return Err(SpellingError::Limit { at: 0, limit: Limit::digits() });
-    }
+    limits::DIGITS.check(digits).map_err(|limit| SpellingError::Limit { at: 0, limit })?;
     if digits > 1 && number.starts_with('0') {
         return Err(expected(0, "a number without leading zeros", text));
     }
@@ -192,7 +238,12 @@ impl<'a> Reader<'a, '_> {
         if self.text == "0" {
             return Ok(Polynomial::zero());
         }
-        let mut terms: Vec<Term> = Vec::new();
+        // Between two terms there are two spaces.
+        let spaces = self.text.bytes().filter(|&byte| byte == b' ').count();
+        let length = spaces.div_ceil(2).saturating_add(1);
+        let kept = self.work.keep_each(length, 96).and_then(|()| self.work.charge_text(self.text.len()));
+        self.limited(kept)?;
+        let mut terms: Vec<Term> = Vec::with_capacity(length);
         let mut negative = self.take("-");
         loop {
             let start = self.at;
@@ -203,10 +254,11 @@ impl<'a> Reader<'a, '_> {
                 self.at = start;
                 return self.fail("terms in canonical order, each power product once");
             }
-            terms.push((monomial, if negative { -coefficient } else { coefficient }));
-            if terms.len() > limits::TERMS {
-                return self.limited(Err(Limit::terms()));
-            }
+            let bytes = Polynomial::bytes_of(&monomial, coefficient.numer(), coefficient.denom());
+            let kept = self.work.keep(bytes);
+            self.limited(kept)?;
+            terms.push((monomial, if negative { negated(coefficient) } else { coefficient }));
+            self.limited(limits::TERMS.check(terms.len()))?;
             if self.rest().is_empty() {
                 return Ok(Polynomial::from_terms(terms));
             }
@@ -257,6 +309,11 @@ impl<'a> Reader<'a, '_> {
 
     fn natural(&mut self) -> Result<BigInt, SpellingError> {
         let start = self.at;
+        let at_most = limits::DIGITS.length().saturating_add(1);
+        let digits = self.rest().bytes().take(at_most).take_while(u8::is_ascii_digit).count();
+        // The number is written once more, to compare the text.
+        let charged = self.work.charge_digits(digits.saturating_mul(2));
+        self.limited(charged)?;
         let (value, rest) = read_natural(self.rest()).map_err(|error| error.moved_by(start))?;
         self.at = self.text.len().saturating_sub(rest.len());
         Ok(value)
@@ -269,9 +326,8 @@ impl<'a> Reader<'a, '_> {
             return Ok(BigRational::from_integer(numerator));
         }
         let denominator = self.natural()?;
-        let charged = self.work.charge_gcd(&numerator, &denominator);
-        self.limited(charged)?;
-        if denominator <= BigInt::one() || !numerator.gcd(&denominator).is_one() {
+        let divisor = self.work.common_divisor(&numerator, &denominator);
+        if !self.limited(divisor)?.is_one() || denominator <= BigInt::one() {
             self.at = start;
             return self.fail("a fraction in lowest terms");
         }
@@ -281,8 +337,11 @@ impl<'a> Reader<'a, '_> {
     fn root(&mut self) -> Result<u8, SpellingError> {
         let start = self.at;
         let number = self.natural()?;
-        let mask =
-            self.ring.field.masks().find(|&mask| mask != 0 && self.ring.field.under_root(mask) == number);
+        let mask = self
+            .ring
+            .field
+            .masks()
+            .find(|&mask| mask != 0 && self.ring.field.under_root(mask) == Some(&number));
         match mask {
             Some(mask) if self.take(")") => Ok(mask),
             Some(_) => self.fail("`)`"),
@@ -312,14 +371,14 @@ impl<'a> Reader<'a, '_> {
             return Ok((variable, 1));
         }
         match u32::try_from(self.natural()?) {
-            Ok(exponent) if (2..=limits::DEGREE).contains(&exponent) => Ok((variable, exponent)),
             Ok(0 | 1) => {
                 self.at = start;
                 self.fail("an exponent of at least 2, or none")
             }
+            Ok(exponent) if limits::EXPONENT.allows(exponent) => Ok((variable, exponent)),
             _ => {
                 self.at = start;
-                self.limited(Err(Limit::new("in an exponent", limits::DEGREE.into())))
+                self.limited(Err(limits::EXPONENT))
             }
         }
     }

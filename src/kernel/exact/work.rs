@@ -1,57 +1,15 @@
 //! A meter for work done on behalf of a file nobody has vetted.
 //!
-//! A unit is about a nanosecond. Work is charged before it is done, so that a small file cannot ask for much.
+//! Work is charged before it is done, so that a small file cannot ask for much. A unit is about a nanosecond, as
+//! `benches/kernel.rs` shows: the whole allowance of 15·10⁹ lasts about 15 seconds.
+//!
+//! Memory is counted where it is taken, at no less than it is with all that the allocator adds. To give it back is to say that it
+//! was let go of; what nobody says so of stays counted, so that the count is never too low.
 
 use std::fmt;
 use std::sync::Arc;
 
-use num_bigint::BigInt;
-
-use super::limits;
-use super::monomial::Monomial;
-use super::polynomial::Polynomial;
-
-/// A limit that a file ran into: what was limited and at what. Never a verdict on the file's claim.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Limit {
-    /// What there is too much of, in the plural: "terms of a polynomial".
-    pub what: &'static str,
-    /// The largest amount allowed.
-    pub at_most: u64,
-}
-
-impl Limit {
-    /// The limit `at_most` on `what`.
-    pub fn new(what: &'static str, at_most: u64) -> Self {
-        Limit { what, at_most }
-    }
-
-    /// The work was ended from outside ([`Work::until`]).
-    pub fn ended() -> Self {
-        Limit::new("units of work before it was ended from outside", 0)
-    }
-
-    /// The limit on the length of a polynomial.
-    pub fn terms() -> Self {
-        Limit::new("terms of a polynomial", count(limits::TERMS))
-    }
-
-    /// The limit on the length of a number.
-    pub fn digits() -> Self {
-        Limit::new("digits of a number", count(limits::DIGITS))
-    }
-}
-
-impl fmt::Display for Limit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if *self == Limit::ended() {
-            return f.write_str("ended from outside before it was done");
-        }
-        write!(f, "limit reached: at most {} {}", self.at_most, self.what)
-    }
-}
-
-impl std::error::Error for Limit {}
+use super::limits::{self, Limit};
 
 /// Why arithmetic did not come to an end.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -82,7 +40,10 @@ impl std::error::Error for Stop {}
 /// The work still allowed.
 #[derive(Clone)]
 pub struct Work {
+    allowed: u64,
     left: u64,
+    held: u64,
+    most: u64,
     ended: Option<Arc<Ended>>,
 }
 
@@ -96,97 +57,113 @@ impl fmt::Debug for Work {
 }
 
 impl Work {
+    /// What a call of an operation on polynomials costs at least.
+    pub(super) const CALL: u64 = 1000;
     /// Visiting a term, and each power in it.
-    const TERM: u64 = 300;
-    const POWER: u64 = 40;
-    /// One step of a division, a common divisor or a root, beside its words.
-    const STEP: u64 = 8;
+    pub(crate) const TERM: u64 = 300;
+    pub(crate) const POWER: u64 = 40;
+    /// Comparing two names.
+    const NAME: u64 = 4;
 
     /// Units between two questions whether the work is ended from outside: some milliseconds.
     const PAUSE: u64 = 1 << 22;
 
     /// The full allowance of [`limits::WORK`].
     pub fn full() -> Self {
-        Work { left: limits::WORK, ended: None }
+        Work { allowed: limits::WORK.at_most, left: limits::WORK.at_most, held: 0, most: 0, ended: None }
     }
 
     /// The full allowance, which whoever waits for the work can end before its time: every few million units `ended` is
     /// asked. To be ended is to reach a limit, which is an error and never a verdict.
     pub fn until(ended: impl Fn() -> bool + Send + Sync + 'static) -> Self {
-        Work { left: limits::WORK, ended: Some(Arc::new(ended)) }
+        Work { ended: Some(Arc::new(ended)), ..Work::full() }
     }
 
-    /// Not more than so many units.
+    /// Not more than so many units from here on.
     #[must_use]
     pub fn at_most(self, units: u64) -> Self {
-        Work { left: self.left.min(units), ..self }
+        let left = self.left.min(units);
+        Work { allowed: left, left, ..self }
     }
 
     /// Takes `amount` from the allowance.
+    ///
+    /// # Errors
+    /// Where less than that is left: nothing is taken then.
     pub fn charge(&mut self, amount: u64) -> Result<(), Limit> {
         let Some(left) = self.left.checked_sub(amount) else {
-            return Err(Limit::new("units of work", limits::WORK));
+            return Err(Limit { at_most: self.allowed, ..limits::WORK });
         };
         let asks = self.left.div_ceil(Work::PAUSE) != left.div_ceil(Work::PAUSE);
         if asks && self.ended.as_ref().is_some_and(|ended| ended()) {
-            return Err(Limit::ended());
+            return Err(limits::ENDED);
         }
         self.left = left;
         Ok(())
     }
 
-    /// Units taken so far from the full allowance.
+    /// Units taken so far.
     pub fn spent(&self) -> u64 {
-        limits::WORK.saturating_sub(self.left)
+        self.allowed.saturating_sub(self.left)
+    }
+
+    /// So many times the same.
+    pub(crate) fn charge_each(&mut self, number: usize, amount: u64) -> Result<(), Limit> {
+        self.charge(count(number).saturating_mul(amount))
+    }
+
+    /// Memory of so many bytes, and writing to it.
+    pub(crate) fn keep(&mut self, bytes: u64) -> Result<(), Limit> {
+        self.charge(bytes)?;
+        self.hold(bytes)
+    }
+
+    /// Memory of so many bytes, which was written to already.
+    pub(crate) fn hold(&mut self, bytes: u64) -> Result<(), Limit> {
+        let held = self.held.saturating_add(bytes);
+        limits::MEMORY.check(held)?;
+        self.held = held;
+        self.most = self.most.max(held);
+        Ok(())
+    }
+
+    /// Bytes held now.
+    pub fn held(&self) -> u64 {
+        self.held
+    }
+
+    /// The most bytes that were held at any one time.
+    pub fn most_held(&self) -> u64 {
+        self.most
+    }
+
+    /// Nothing that was taken since so many bytes were held is there any more.
+    pub(crate) fn release_to(&mut self, held: u64) {
+        self.held = self.held.min(held);
+    }
+
+    /// So many bytes were let go of.
+    pub(crate) fn release(&mut self, bytes: u64) {
+        self.held = self.held.saturating_sub(bytes);
+    }
+
+    /// Memory for a list.
+    pub(crate) fn keep_each(&mut self, number: usize, bytes: u64) -> Result<(), Limit> {
+        self.keep(count(number).saturating_mul(bytes))
     }
 
     /// A look through a list of so many names.
-    pub fn charge_search(&mut self, names: usize) -> Result<(), Limit> {
-        self.charge(count(names).saturating_mul(4))
+    pub(crate) fn charge_search(&mut self, names: usize) -> Result<(), Limit> {
+        self.charge_each(names, Work::NAME)
     }
 
-    /// Visiting one term.
-    pub fn charge_term(&mut self, monomial: &Monomial) -> Result<(), Limit> {
-        self.charge(Work::TERM.saturating_add(count(monomial.powers().len()).saturating_mul(Work::POWER)))
-    }
-
-    /// All pairs of terms of two polynomials with so many terms and powers.
-    pub fn charge_pairs(&mut self, terms: (usize, usize), powers: (usize, usize)) -> Result<(), Limit> {
-        let pairs = count(terms.0).saturating_mul(count(terms.1));
-        let left = count(powers.0).saturating_mul(count(terms.1));
-        let right = count(powers.1).saturating_mul(count(terms.0));
-        let powers = left.saturating_add(right).saturating_mul(Work::POWER);
-        self.charge(pairs.saturating_mul(Work::TERM).saturating_add(powers))
-    }
-
-    /// Keeping, or copying, a polynomial: as much as makes the memory of what is kept bounded by the allowance.
-    pub fn charge_copy(&mut self, polynomial: &Polynomial) -> Result<(), Limit> {
-        let terms = count(polynomial.term_count()).saturating_mul(1500);
-        let powers = count(polynomial.power_count()).saturating_mul(100);
-        self.charge(terms.saturating_add(powers).saturating_add(polynomial.bit_count().saturating_mul(16)))
-    }
-
-    /// One product of `a` and `b`.
-    pub fn charge_product(&mut self, a: &BigInt, b: &BigInt) -> Result<(), Limit> {
-        self.charge(words(a).saturating_mul(words(b)))
-    }
-
-    /// One greatest common divisor: about one subtraction of the longer number for each bit of both.
-    pub fn charge_gcd(&mut self, a: &BigInt, b: &BigInt) -> Result<(), Limit> {
-        let steps = a.bits().saturating_add(b.bits());
-        self.charge(steps.saturating_mul(words(a).max(words(b)).saturating_add(Work::STEP)))
-    }
-
-    /// One square root: a few divisions of numbers that long.
-    pub fn charge_root(&mut self, a: &BigInt) -> Result<(), Limit> {
-        self.charge(words(a).saturating_mul(words(a)).saturating_mul(64).saturating_add(1000))
+    /// A look at a text, a fixed number of times.
+    pub(crate) fn charge_text(&mut self, bytes: usize) -> Result<(), Limit> {
+        self.charge_each(bytes, 20)
     }
 }
 
-fn count(length: usize) -> u64 {
+/// A length as a number.
+pub(crate) fn count(length: usize) -> u64 {
     u64::try_from(length).unwrap_or(u64::MAX)
-}
-
-fn words(a: &BigInt) -> u64 {
-    a.bits().div_ceil(64)
 }

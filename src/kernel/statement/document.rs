@@ -1,20 +1,14 @@
-//! A statement file as a TOML document: the keys it may have, and typed access with places.
+//! A statement file: the keys it has, and what they mean.
 
 use std::ops::Range;
 
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-
-use super::error::StatementFault;
+use super::error::{Located, StatementError, StatementFault, locate};
+use super::expression::{Scope, evaluate};
+use super::keys::{Document, Value, array, check_name, integer, string, wrong_type};
+use super::model::{COORDINATES, Patch, Statement, Subject};
 use super::patch::read_patch;
-use super::source::{Located, is_unprintable, locate};
-use super::{COORDINATES, Patch, Statement, StatementError, Subject};
-use crate::exact::{Limit, Polynomial, Radicands, Work, limits};
-
-use super::expression::{Scope, evaluate, moved};
-
-/// A value with its place.
-pub(super) type Value<'a> = Spanned<DeValue<'a>>;
+use super::place::is_unprintable;
+use crate::exact::{Arithmetic, Limit, Polynomial, Radicands, Work, limits};
 
 /// A polynomial with the bytes of the file it was read from.
 type LocatedPolynomial = (Polynomial, Range<usize>);
@@ -40,21 +34,24 @@ impl Statement {
         field: &Radicands,
         work: &mut Work,
     ) -> Result<Polynomial, StatementError> {
-        let scope = Scope { field, variables: &[], constants: &[] };
-        evaluate(text, &scope, work).map_err(|located| locate(text, located))
+        let scope = Scope { variables: &[], constants: &[] };
+        evaluate(text, &scope, &mut Arithmetic::new(field, work)).map_err(|located| locate(text, located))
     }
 
     fn read_within(text: &str, work: &mut Work) -> Result<Statement, StatementError> {
-        let read = Document::parse(text).and_then(|document| document.statement(work));
+        // What the TOML reader makes of a text: at most so much for each byte of it, where tables nest in tables.
+        const BYTES: u64 = 640;
+        let held = work.held();
+        let kept = work.keep_each(text.len(), BYTES).map_err(|limit| (limit.into(), 0..0));
+        let of_document = work.held().saturating_sub(held);
+        let read = kept.and_then(|()| Document::parse(text)?.statement(work));
+        work.release(of_document);
         read.map_err(|located| locate(text, located))
     }
 
     /// Reads the bytes of a statement file, within the limits of the format and the work left.
     pub fn read_bytes(bytes: &[u8], work: &mut Work) -> Result<Statement, StatementError> {
-        if bytes.len() > usize::try_from(limits::STATEMENT_BYTES).unwrap_or(usize::MAX) {
-            let limit = Limit::new("bytes in a statement", limits::STATEMENT_BYTES);
-            return Err(locate("", (limit.into(), 0..0)));
-        }
+        limits::STATEMENT_BYTES.check(bytes.len()).map_err(|limit| locate("", (limit.into(), 0..0)))?;
         match std::str::from_utf8(bytes) {
             Ok(text) => Statement::read_within(text, work),
             Err(error) => {
@@ -66,53 +63,39 @@ impl Statement {
     }
 }
 
-/// The top-level table with the text it was read from.
-pub(super) struct Document<'a> {
-    text: &'a str,
-    table: DeTable<'a>,
-}
-
-impl<'a> Document<'a> {
-    fn parse(text: &'a str) -> Result<Self, Located> {
-        let table = DeTable::parse(text).map_err(|error| {
-            let message = error.message().lines().next().unwrap_or("").to_owned();
-            (StatementFault::Toml(message), error.span().unwrap_or(0..0))
-        })?;
-        Ok(Document { text, table: table.into_inner() })
-    }
-
+impl Document<'_> {
     fn statement(&self, work: &mut Work) -> Result<Statement, Located> {
         self.check_keys()?;
         let title = self.title()?;
         let field = self.field()?;
         let unknowns = self.unknowns()?;
-        let constants = self.constants(&field, &unknowns, work)?;
-        let scope = Scope { field: &field, variables: &unknowns, constants: &constants };
+        let constants = self.constants(&unknowns, &mut Arithmetic::new(&field, work))?;
+        let scope = Scope { variables: &unknowns, constants: &constants };
 
-        let nonzero = self.polynomials("nonzero", limits::ASSUMPTIONS, &scope, work)?.unwrap_or_default();
+        let arithmetic = &mut Arithmetic::new(&field, work);
+        let nonzero =
+            self.polynomials("nonzero", limits::ASSUMPTIONS, &scope, arithmetic)?.unwrap_or_default();
         if let Some((_, span)) = nonzero.iter().find(|(polynomial, _)| polynomial.is_zero()) {
             return Err((StatementFault::ZeroAssumed, span.clone()));
         }
-        let subject = match self.polynomials("polynomials", limits::EQUATIONS, &scope, work)? {
+        let subject = match self.polynomials("polynomials", limits::EQUATIONS, &scope, arithmetic)? {
             Some(polynomials) => {
                 Subject::System(polynomials.into_iter().map(|(polynomial, _)| polynomial).collect())
             }
-            None => Subject::Patch(self.patch(&scope, work)?),
+            None => Subject::Patch(self.patch(&scope, arithmetic)?),
         };
         let nonzero = nonzero.into_iter().map(|(polynomial, _)| polynomial).collect();
         let names_surface = self.optional("surface").is_some();
-        let statement = Statement { title, field, unknowns, nonzero, subject, names_surface };
-        if statement.bit_count() > limits::STATEMENT_BITS {
-            let limit = Limit::new("bits in the numbers of a statement", limits::STATEMENT_BITS);
-            return Err((limit.into(), 0..0));
-        }
-        Ok(statement)
+        let hash = String::new();
+        let statement = Statement { title, field, unknowns, nonzero, subject, names_surface, hash };
+        let fits = limits::STATEMENT_BITS.check(statement.bit_count());
+        fits.and_then(|()| statement.hashed(work)).map_err(|limit| (limit.into(), 0..0))
     }
 
     fn check_keys(&self) -> Result<(), Located> {
         for key in self.table.keys() {
             if !KEYS.split(", ").any(|known| known == key.get_ref().as_ref()) {
-                let name = key.get_ref().chars().take(limits::NAME).collect::<String>();
+                let name = key.get_ref().chars().take(limits::NAME.length()).collect::<String>();
                 let fault =
                     StatementFault::UnknownKey { key: name.escape_debug().to_string(), expected: KEYS };
                 return Err((fault, key.span()));
@@ -128,20 +111,12 @@ impl<'a> Document<'a> {
         Ok(())
     }
 
-    /// A key's value, or the error that it is missing.
-    pub(super) fn required(&self, key: &'static str, expected: &'static str) -> Result<&Value<'a>, Located> {
-        self.table.get(key).ok_or((StatementFault::MissingKey { key, expected }, 0..0))
-    }
-
     fn title(&self) -> Result<String, Located> {
         let value = self.required("title", "a string that names the statement")?;
         let title = string(value, "a string")?;
-        if title.chars().count() > limits::TITLE || title.chars().any(is_unprintable) {
-            let expected = "at most 200 characters on one line";
-            return Err((
-                StatementFault::WrongType { expected, found: "a longer or unprintable title" },
-                value.span(),
-            ));
+        if !limits::TITLE.allows(title.chars().count()) || title.chars().any(is_unprintable) {
+            let found = "a longer or unprintable title";
+            return Err((StatementFault::WrongType { expected: limits::A_TITLE, found }, value.span()));
         }
         Ok(title.to_owned())
     }
@@ -150,7 +125,7 @@ impl<'a> Document<'a> {
         let value = self.required("radicands", "a list of primes, [] for Q")?;
         let mut radicands = Vec::new();
         for item in array(value, "a list of primes")? {
-            radicands.push(integer(item, "a radicand", 2, limits::RADICAND)?);
+            radicands.push(integer(item, "a radicand", 2, limits::RADICAND.number())?);
         }
         Radicands::new(radicands).map_err(|error| (StatementFault::Radicands(error), value.span()))
     }
@@ -158,9 +133,7 @@ impl<'a> Document<'a> {
     fn unknowns(&self) -> Result<Vec<String>, Located> {
         let value = self.required("unknowns", "a list of names, [] for none")?;
         let items = array(value, "a list of names")?;
-        if items.len() > limits::UNKNOWNS {
-            return Err((Limit::new("unknowns", 1024).into(), value.span()));
-        }
+        limits::UNKNOWNS.check(items.len()).map_err(|limit| (limit.into(), value.span()))?;
         let mut unknowns: Vec<String> = Vec::new();
         for item in items {
             let name = string(item, "a name")?;
@@ -176,9 +149,8 @@ impl<'a> Document<'a> {
     /// The `[define]` table in the order of the file: each constant may use those above it.
     fn constants(
         &self,
-        field: &Radicands,
         unknowns: &[String],
-        work: &mut Work,
+        arithmetic: &mut Arithmetic<'_>,
     ) -> Result<Vec<(String, Polynomial)>, Located> {
         let Some(value) = self.table.get("define") else {
             return Ok(Vec::new());
@@ -189,6 +161,8 @@ impl<'a> Document<'a> {
         let mut constants: Vec<(String, Polynomial)> = Vec::new();
         for (key, value) in entries {
             check_name(key.get_ref(), key.span())?;
+            let charged = arithmetic.work.charge_search(unknowns.len().saturating_add(100));
+            charged.map_err(|limit| (limit.into(), key.span()))?;
             if KEYS.split(", ").any(|known| known == key.get_ref().as_ref()) {
                 let expected = "another one: this is a key of the statement, which belongs above [define]";
                 return Err((StatementFault::Name { name: key.get_ref().to_string(), expected }, key.span()));
@@ -196,8 +170,8 @@ impl<'a> Document<'a> {
             if unknowns.iter().any(|unknown| unknown == key.get_ref()) {
                 return Err((StatementFault::RepeatedName(key.get_ref().to_string()), key.span()));
             }
-            let scope = Scope { field, variables: &[], constants: &constants };
-            let constant = self.expression(value, &scope, work)?;
+            let scope = Scope { variables: &[], constants: &constants };
+            let constant = self.expression(value, &scope, arithmetic)?;
             constants.push((key.get_ref().to_string(), constant));
         }
         Ok(constants)
@@ -206,111 +180,22 @@ impl<'a> Document<'a> {
     fn polynomials(
         &self,
         key: &'static str,
-        at_most: usize,
+        at_most: Limit,
         scope: &Scope<'_>,
-        work: &mut Work,
+        arithmetic: &mut Arithmetic<'_>,
     ) -> Result<Option<Vec<LocatedPolynomial>>, Located> {
         let Some(value) = self.table.get(key) else {
             return Ok(None);
         };
         let items = array(value, "a list of expressions")?;
-        if items.len() > at_most {
-            let fault = Limit::new("polynomials in one list", u64::try_from(at_most).unwrap_or(u64::MAX));
-            return Err((fault.into(), value.span()));
-        }
-        let read = |item: &Value<'a>| Ok((self.expression(item, scope, work)?, item.span()));
+        at_most.check(items.len()).map_err(|limit| (limit.into(), value.span()))?;
+        let read = |item: &Value<'_>| Ok((self.expression(item, scope, arithmetic)?, item.span()));
         items.iter().map(read).collect::<Result<_, _>>().map(Some)
     }
 
-    fn patch(&self, scope: &Scope<'_>, work: &mut Work) -> Result<Patch, Located> {
+    fn patch(&self, scope: &Scope<'_>, arithmetic: &mut Arithmetic<'_>) -> Result<Patch, Located> {
         let coordinates = COORDINATES.map(String::from);
         let surface_scope = Scope { variables: &coordinates, ..*scope };
-        read_patch(self, scope, &surface_scope, work)
+        read_patch(self, scope, &surface_scope, arithmetic)
     }
-
-    /// An optional key.
-    pub(super) fn optional(&self, key: &str) -> Option<&Value<'a>> {
-        self.table.get(key)
-    }
-
-    /// A string read as an expression, or an integer.
-    pub(super) fn expression(
-        &self,
-        value: &Value<'a>,
-        scope: &Scope<'_>,
-        work: &mut Work,
-    ) -> Result<Polynomial, Located> {
-        let span = value.span();
-        let text = match value.get_ref() {
-            DeValue::String(text) => text.clone().into_owned(),
-            DeValue::Integer(number) => {
-                let small = i64::from_str_radix(number.as_str(), number.radix()).ok();
-                small
-                    .ok_or_else(|| wrong_type(value, "an integer of 64 bits, or quotes around it"))?
-                    .to_string()
-            }
-            _ => return Err(wrong_type(value, "an expression in quotes, or an integer")),
-        };
-        let offset = self.start_of_contents(&span, &text);
-        let value = evaluate(&text, scope, work).map_err(|located| moved(located, &span, offset))?;
-        work.charge_copy(&value).map_err(|limit| (limit.into(), span))?;
-        Ok(value)
-    }
-
-    /// Where a string's contents start, if it is spelled without escapes.
-    fn start_of_contents(&self, span: &Range<usize>, contents: &str) -> Option<usize> {
-        let spelled = self.text.get(span.clone())?;
-        let quotes = ["\"\"\"", "'''", "\"", "'"].into_iter().find(|quotes| spelled.starts_with(quotes));
-        let quotes = quotes.unwrap_or("");
-        let inside = spelled.strip_prefix(quotes)?.strip_suffix(quotes)?;
-        // A newline right after three quotes is not part of the string.
-        let plain =
-            inside == contents || (quotes.len() == 3 && inside.trim_start_matches(['\r', '\n']) == contents);
-        let skipped = spelled.len().checked_sub(quotes.len())?.checked_sub(contents.len())?;
-        if plain { span.start.checked_add(skipped) } else { None }
-    }
-}
-
-fn wrong_type(value: &Value<'_>, expected: &'static str) -> Located {
-    (StatementFault::WrongType { expected, found: value.get_ref().type_str() }, value.span())
-}
-
-pub(super) fn string<'a>(value: &'a Value<'_>, expected: &'static str) -> Result<&'a str, Located> {
-    value.get_ref().as_str().ok_or_else(|| wrong_type(value, expected))
-}
-
-pub(super) fn array<'a, 'b>(
-    value: &'a Value<'b>,
-    expected: &'static str,
-) -> Result<&'a [Value<'b>], Located> {
-    value.get_ref().as_array().map(|items| &**items).ok_or_else(|| wrong_type(value, expected))
-}
-
-pub(super) fn integer(
-    value: &Value<'_>,
-    what: &'static str,
-    at_least: u32,
-    at_most: u32,
-) -> Result<u32, Located> {
-    let number = value.get_ref().as_integer().ok_or_else(|| wrong_type(value, "an integer"))?;
-    let parsed = u32::from_str_radix(number.as_str(), number.radix()).ok();
-    parsed.filter(|parsed| (at_least..=at_most).contains(parsed)).ok_or_else(|| {
-        let found = number.to_string().chars().take(24).collect();
-        (StatementFault::Range { what, at_least, at_most, found }, value.span())
-    })
-}
-
-fn check_name(name: &str, span: Range<usize>) -> Result<(), Located> {
-    let well_formed = name.starts_with(|c: char| c.is_ascii_alphabetic())
-        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-        && name.len() <= limits::NAME;
-    let expected = if !well_formed {
-        "a letter followed by at most 31 letters, digits and underscores"
-    } else if name == "sqrt" || COORDINATES.contains(&name) {
-        "a name other than sqrt and the surface's X, Y, Z, W"
-    } else {
-        return Ok(());
-    };
-    let name = name.chars().take(limits::NAME).collect::<String>().escape_debug().to_string();
-    Err((StatementFault::Name { name, expected }, span))
 }

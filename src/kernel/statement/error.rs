@@ -1,8 +1,9 @@
 //! What can be wrong with a statement file, and where.
 
 use std::fmt;
+use std::ops::Range;
 
-use super::source::Place;
+use super::place::Place;
 use crate::exact::{Limit, RadicandsError};
 
 /// A mistake in a statement file, with its place.
@@ -142,3 +143,11 @@ impl fmt::Display for StatementError {
 }
 
 impl std::error::Error for StatementError {}
+
+/// A fault with the bytes of the file it concerns.
+pub(super) type Located = (StatementFault, Range<usize>);
+
+/// Finds the place of a fault.
+pub(super) fn locate(text: &str, (fault, span): Located) -> StatementError {
+    StatementError { place: Place::of(text, span), fault }
+}

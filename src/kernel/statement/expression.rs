@@ -9,19 +9,12 @@
 //! A decimal is the exact rational it spells. There is no implicit product; one divides by constants only.
 
 use std::ops::Range;
-use std::sync::OnceLock;
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::One;
-
-use super::error::StatementFault;
-use super::source::Located;
-use crate::exact::{Limit, Polynomial, Radicands, Work, limits, read_natural};
+use super::error::{Located, StatementFault};
+use crate::exact::{Arithmetic, Limit, Polynomial, Work, limits, read_natural};
 
 /// The symbols an expression may use.
 pub(super) struct Scope<'a> {
-    pub field: &'a Radicands,
     /// Names of variables 0, 1, ….
     pub variables: &'a [String],
     /// Defined constants.
@@ -29,8 +22,12 @@ pub(super) struct Scope<'a> {
 }
 
 /// Evaluates `text`; error spans are offsets in `text`.
-pub(super) fn evaluate(text: &str, scope: &Scope<'_>, work: &mut Work) -> Result<Polynomial, Located> {
-    let mut parser = Parser { text, at: 0, depth: 0, scope, work };
+pub(super) fn evaluate(
+    text: &str,
+    scope: &Scope<'_>,
+    arithmetic: &mut Arithmetic<'_>,
+) -> Result<Polynomial, Located> {
+    let mut parser = Parser { text, at: 0, depth: 0, scope, arithmetic };
     let value = parser.expression()?;
     parser.skip_space();
     match parser.rest().chars().next() {
@@ -40,15 +37,15 @@ pub(super) fn evaluate(text: &str, scope: &Scope<'_>, work: &mut Work) -> Result
     }
 }
 
-struct Parser<'a, 'w> {
+struct Parser<'a, 'f, 'w> {
     text: &'a str,
     at: usize,
     depth: usize,
     scope: &'a Scope<'a>,
-    work: &'w mut Work,
+    arithmetic: &'w mut Arithmetic<'f>,
 }
 
-impl<'a> Parser<'a, '_> {
+impl<'a> Parser<'a, '_, '_> {
     fn rest(&self) -> &'a str {
         self.text.get(self.at..).unwrap_or("")
     }
@@ -107,7 +104,7 @@ impl<'a> Parser<'a, '_> {
         match summands.len() {
             1 => Ok(summands.swap_remove(0)),
             _ => {
-                let sum = Polynomial::sum(&summands, self.scope.field, self.work);
+                let sum = self.arithmetic.sum(&summands);
                 self.checked(start, sum)
             }
         }
@@ -118,9 +115,8 @@ impl<'a> Parser<'a, '_> {
         if !negative {
             return Ok(value);
         }
-        let charged = self.work.charge_copy(&value);
-        self.located(start, charged)?;
-        Ok(value.negate())
+        let negated = self.arithmetic.negated(&value);
+        self.located(start, negated)
     }
 
     fn product(&mut self) -> Result<Polynomial, Located> {
@@ -138,7 +134,7 @@ impl<'a> Parser<'a, '_> {
             if divide {
                 factor = self.inverse(&factor, operand)?;
             }
-            let result = product.multiply(&factor, self.scope.field, self.work);
+            let result = self.arithmetic.product(&product, &factor);
             product = self.checked(start, result)?;
         }
     }
@@ -147,7 +143,7 @@ impl<'a> Parser<'a, '_> {
         if divisor.is_zero() {
             return self.located(start, Err(StatementFault::DivisionByZero));
         }
-        let inverse = divisor.inverse(self.scope.field, self.work);
+        let inverse = self.arithmetic.inverse(divisor);
         let inverse = self.located(start, inverse)?;
         let inverse = self.located(start, inverse.ok_or(StatementFault::DivisionByUnknown))?;
         self.checked(start, Ok(inverse))
@@ -168,12 +164,12 @@ impl<'a> Parser<'a, '_> {
         let exponent_start = self.at;
         let exponent = self.rest().get(..digits).and_then(|number| number.parse::<u32>().ok());
         self.at = self.at.saturating_add(digits);
-        let Some(exponent) = exponent.filter(|&exponent| exponent <= limits::DEGREE) else {
-            return self.located(exponent_start, Err(Limit::new("in an exponent", limits::DEGREE.into())));
+        let Some(exponent) = exponent.filter(|&exponent| limits::EXPONENT.allows(exponent)) else {
+            return self.located(exponent_start, Err(limits::EXPONENT));
         };
         let mut power = Polynomial::integer(1);
         for _ in 0..exponent {
-            let next = power.multiply(&base, self.scope.field, self.work);
+            let next = self.arithmetic.product(&power, &base);
             power = self.checked(start, next)?;
         }
         Ok(power)
@@ -200,10 +196,7 @@ impl<'a> Parser<'a, '_> {
             return self.unexpected("`(`");
         }
         self.depth = self.depth.saturating_add(1);
-        if self.depth > limits::NESTING {
-            let limit = Limit::new("nested brackets", 64);
-            return self.located(self.at.saturating_sub(1), Err(limit));
-        }
+        self.located(self.at.saturating_sub(1), limits::NESTING.check(self.depth))?;
         let value = self.expression()?;
         self.depth = self.depth.saturating_sub(1);
         if self.take(')') { Ok(value) } else { self.unexpected("`)` or an operator (+ - * / ^)") }
@@ -222,20 +215,27 @@ impl<'a> Parser<'a, '_> {
         let length = whole.saturating_add(if decimals > 0 { decimals.saturating_add(1) } else { 0 });
         let spelled: String = self.rest().chars().take(length).filter(|&c| c != '.').collect();
         self.at = self.at.saturating_add(length);
-        if spelled.len() > limits::DIGITS {
-            return self.located(start, Err(Limit::digits()));
-        }
+        self.located(start, limits::DIGITS.check(spelled.len()))?;
         let trimmed = spelled.trim_start_matches('0');
+        let charged = self.arithmetic.work.charge_digits(spelled.len());
+        self.located(start, charged)?;
         let (value, _) = read_natural(if trimmed.is_empty() { "0" } else { trimmed })
-            .map_err(|_| (StatementFault::from(Limit::digits()), start..self.at))?;
-        let scale = (0..decimals).fold(BigInt::one(), |scale, _| scale * BigInt::from(10));
-        Ok(Polynomial::rational(BigRational::new(value, scale)))
+            .map_err(|_| (StatementFault::from(limits::DIGITS), start..self.at))?;
+        let places = u32::try_from(decimals).unwrap_or(u32::MAX);
+        let value = self.arithmetic.work.decimal(&value, places);
+        self.kept(start, value.map(Polynomial::rational))
+    }
+
+    /// A number or a symbol, which is kept.
+    fn kept(&mut self, start: usize, value: Result<Polynomial, Limit>) -> Result<Polynomial, Located> {
+        let value = value.and_then(|value| self.arithmetic.charge_copy(&value).map(|()| value));
+        self.located(start, value)
     }
 
     fn root(&mut self, start: usize) -> Result<Polynomial, Located> {
         let value = self.bracket()?;
-        let field = self.scope.field;
-        let root = value.square_root(field, self.work);
+        let field = self.arithmetic.field;
+        let root = self.arithmetic.square_root(&value);
         match self.located(start, root)? {
             Ok(root) => self.checked(start, Ok(root)),
             Err(why) => {
@@ -251,17 +251,16 @@ impl<'a> Parser<'a, '_> {
 
     fn symbol(&mut self, name: &str, start: usize) -> Result<Polynomial, Located> {
         let names = self.scope.variables.len().saturating_add(self.scope.constants.len());
-        let charged = self.work.charge_search(names);
+        let charged = self.arithmetic.work.charge_search(names);
         self.located(start, charged)?;
         let index = self.scope.variables.iter().position(|variable| variable == name);
         if let Some(index) = index.and_then(|index| u16::try_from(index).ok()) {
-            return Ok(Polynomial::variable(index));
+            return self.kept(start, Ok(Polynomial::variable(index)));
         }
         if let Some((_, value)) = self.scope.constants.iter().find(|(constant, _)| constant == name) {
             // Each use is a copy.
-            let charged = self.work.charge(value.bit_count().saturating_mul(8));
-            self.located(start, charged)?;
-            return Ok(value.clone());
+            let copy = self.arithmetic.copied(value);
+            return self.located(start, copy);
         }
         let constants = self.scope.constants.iter().map(|(constant, _)| constant);
         let mut known: Vec<&str> = self.scope.variables.iter().chain(constants).map(String::as_str).collect();
@@ -272,35 +271,31 @@ impl<'a> Parser<'a, '_> {
         }
         let expected =
             if known.is_empty() { "numbers only".into() } else { format!("one of {}", known.join(", ")) };
-        let name = name.chars().take(limits::NAME).collect();
+        let name = name.chars().take(limits::NAME.length()).collect();
         self.located(start, Err(StatementFault::UnknownSymbol { name, expected }))
     }
 
     /// A result whose numbers a certificate can spell.
-    fn checked(&self, start: usize, result: Result<Polynomial, Limit>) -> Result<Polynomial, Located> {
-        self.located(start, result.and_then(|value| check_digits(&value).map(|()| value)))
+    fn checked(&mut self, start: usize, result: Result<Polynomial, Limit>) -> Result<Polynomial, Located> {
+        let checked = result.and_then(|value| check_digits(value, self.arithmetic.work));
+        self.located(start, checked)
     }
 }
 
-/// 10^4096.
-fn first_too_long() -> &'static BigInt {
-    static POWER: OnceLock<BigInt> = OnceLock::new();
-    POWER.get_or_init(|| (0..limits::DIGITS).fold(BigInt::one(), |power, _| power * BigInt::from(10)))
-}
-
-/// Refuses numbers of more digits than the format allows.
-pub(super) fn check_digits(value: &Polynomial) -> Result<(), Limit> {
+/// The value, if its numbers have no more digits than the format allows.
+pub(super) fn check_digits(value: Polynomial, work: &mut Work) -> Result<Polynomial, Limit> {
     // 10^4096 has 13607 bits: only numbers of that many bits need a closer look.
     const BITS: u64 = 13_607;
-    let long = |number: &BigInt| match number.bits() {
-        bits if bits < BITS => false,
-        bits if bits > BITS => true,
-        _ => number.magnitude() >= first_too_long().magnitude(),
-    };
-    match value.terms().any(|(_, q)| long(q.numer()) || long(q.denom())) {
-        true => Err(Limit::digits()),
-        false => Ok(()),
+    for number in value.terms().flat_map(|(_, q)| [q.numer(), q.denom()]) {
+        if number.bits() > BITS {
+            return Err(limits::DIGITS);
+        }
+        if number.bits() == BITS {
+            work.charge_spelling(number)?;
+            limits::DIGITS.check(number.magnitude().to_string().len())?;
+        }
     }
+    Ok(value)
 }
 
 /// Moves the place of a fault by the offset of its expression, or to the whole of it if that is not known.

@@ -1,11 +1,10 @@
 //! The part of a statement file that describes a patch: convention, bidegree, surface, net.
 
-use super::document::{Document, Value, array, integer, string};
-use super::error::StatementFault;
+use super::error::{Located, StatementFault};
 use super::expression::{Scope, check_digits, evaluate};
-use super::source::Located;
-use super::{HomogeneousPoint, Patch};
-use crate::exact::{Monomial, Polynomial, Work, limits};
+use super::keys::{Document, Value, array, integer, string};
+use super::model::{HomogeneousPoint, Patch};
+use crate::exact::{Arithmetic, Monomial, Polynomial, limits};
 
 /// The surface of a statement that names none: the unit sphere.
 pub const UNIT_SPHERE: &str = "X^2 + Y^2 + Z^2 - W^2";
@@ -69,24 +68,24 @@ pub(super) fn read_patch<'a>(
     document: &Document<'a>,
     scope: &Scope<'_>,
     surface_scope: &Scope<'_>,
-    work: &mut Work,
+    arithmetic: &mut Arithmetic<'_>,
 ) -> Result<Patch, Located> {
     let net_value =
         document.required("net", "the rows of control points (or `polynomials` for a bare system)")?;
     let value = document.required("convention", Convention::BOTH)?;
     let word = string(value, Convention::BOTH)?;
     let convention = Convention::read(word).ok_or_else(|| {
-        let shown = word.chars().take(limits::NAME).collect::<String>().escape_debug().to_string();
+        let shown = word.chars().take(limits::NAME.length()).collect::<String>().escape_debug().to_string();
         (StatementFault::Convention(shown), value.span())
     })?;
     let bidegree = read_bidegree(document)?;
     let surface = match document.optional("surface") {
         Some(value) => {
-            let surface = document.expression(value, surface_scope, work)?;
+            let surface = document.expression(value, surface_scope, arithmetic)?;
             check_surface(&surface).map_err(|fault| (fault, value.span()))?;
             surface
         }
-        None => evaluate(UNIT_SPHERE, surface_scope, work)?,
+        None => evaluate(UNIT_SPHERE, surface_scope, arithmetic)?,
     };
 
     let rows = array(net_value, "a list of rows")?;
@@ -102,7 +101,7 @@ pub(super) fn read_patch<'a>(
             let fault = StatementFault::Columns { row, expected: expected_columns, found: points.len() };
             return Err((fault, row_value.span()));
         }
-        let read = |point: &Value<'a>| read_point(document, point, convention, scope, work);
+        let read = |point: &Value<'a>| read_point(document, point, convention, scope, arithmetic);
         net.push(points.iter().map(read).collect::<Result<Vec<_>, _>>()?);
     }
     let no_denominator = net.iter().flatten().all(|[.., weight]: &HomogeneousPoint| weight.is_zero());
@@ -120,8 +119,8 @@ fn read_bidegree(document: &Document<'_>) -> Result<(u32, u32), Located> {
     let value = document.required("bidegree", "[m, n], the degrees in u and v")?;
     match array(value, "[m, n]")? {
         [m, n] => Ok((
-            integer(m, "the degree in u", 1, limits::BIDEGREE)?,
-            integer(n, "the degree in v", 1, limits::BIDEGREE)?,
+            integer(m, "the degree in u", 1, limits::BIDEGREE.number())?,
+            integer(n, "the degree in v", 1, limits::BIDEGREE.number())?,
         )),
         _ => Err((
             StatementFault::WrongType { expected: "[m, n]", found: "a list of another length" },
@@ -135,12 +134,12 @@ fn check_surface(surface: &Polynomial) -> Result<(), StatementFault> {
     if degree == 0 {
         return Err(StatementFault::NoSurface);
     }
-    if degree > limits::SURFACE_DEGREE {
+    if !limits::SURFACE_DEGREE.allows(degree) {
         let found = degree.to_string();
         return Err(StatementFault::Range {
             what: "the degree of the surface",
             at_least: 1,
-            at_most: limits::SURFACE_DEGREE,
+            at_most: limits::SURFACE_DEGREE.number(),
             found,
         });
     }
@@ -156,20 +155,20 @@ fn read_point<'a>(
     value: &Value<'a>,
     convention: Convention,
     scope: &Scope<'_>,
-    work: &mut Work,
+    arithmetic: &mut Arithmetic<'_>,
 ) -> Result<HomogeneousPoint, Located> {
     let [x, y, z, w] = array(value, "a control point [x, y, z, w]")? else {
         let found = array(value, "a control point")?.len();
         return Err((StatementFault::Entries { expected: convention.entries(), found }, value.span()));
     };
-    let weight = document.expression(w, scope, work)?;
+    let weight = document.expression(w, scope, arithmetic)?;
     let mut coordinate = |entry: &Value<'a>| {
-        let plain = document.expression(entry, scope, work)?;
+        let plain = document.expression(entry, scope, arithmetic)?;
         match convention {
             Convention::Homogeneous => Ok(plain),
             Convention::Cartesian => {
-                let product = plain.multiply(&weight, scope.field, work);
-                let checked = product.and_then(|product| check_digits(&product).map(|()| product));
+                let product = arithmetic.product(&plain, &weight);
+                let checked = product.and_then(|product| check_digits(product, arithmetic.work));
                 checked.map_err(|limit| (limit.into(), entry.span()))
             }
         }

@@ -31,6 +31,8 @@ pub enum CertificateFault {
     CarriageReturn,
     /// Neither printable ASCII nor a newline.
     Character,
+    /// A version of the format that this checker does not know; those that it does.
+    Version { found: u32, known: &'static str },
     /// The line is not what belongs there.
     Line { expected: &'static str, found: String },
     /// A step out of turn.
@@ -83,6 +85,12 @@ impl fmt::Display for CertificateFault {
                 write!(f, "carriage return, expected lines that end with a newline alone")
             }
             Fault::Character => write!(f, "a character that is not printable ASCII"),
+            Fault::Version { found, known } => {
+                write!(
+                    f,
+                    "version {found} of the format, and this checker knows the versions {known}; a newer one may know it"
+                )
+            }
             Fault::Line { expected, found } => write!(f, "expected {expected}, found `{found}`"),
             Fault::StepNumber { expected, found } => write!(f, "expected step {expected}, found `{found}`"),
             Fault::Count { expected, found } => write!(f, "expected end {expected}, found `{found}`"),

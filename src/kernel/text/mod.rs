@@ -5,5 +5,5 @@ mod reader;
 mod seal;
 
 pub use error::{CertificateError, CertificateFault};
-pub(crate) use reader::{Reader, check_text, column, count};
+pub(crate) use reader::{Reader, check_text, column};
 pub(crate) use seal::seal;

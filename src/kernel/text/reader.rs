@@ -3,22 +3,19 @@
 use std::str::Split;
 
 use super::error::{CertificateError, CertificateFault as Fault};
-use crate::exact::{Limit, Polynomial, Ring, SpellingError, Work, limits};
+use crate::exact::{Limit, Polynomial, Ring, SpellingError, Work, count, limits};
 
 /// Size, characters and line lengths, before anything is parsed.
-pub(crate) fn check_text(bytes: &[u8]) -> Result<&str, CertificateError> {
+pub(crate) fn check_text<'a>(bytes: &'a [u8], work: &mut Work) -> Result<&'a str, CertificateError> {
     let error = |line, column, fault| CertificateError { line, column, fault };
     if bytes.is_empty() {
         return Err(error(1, 1, Fault::Empty));
     }
-    if u64::try_from(bytes.len()).unwrap_or(u64::MAX) > limits::CERTIFICATE_BYTES {
-        let limit = Limit::new("bytes in a certificate", limits::CERTIFICATE_BYTES);
-        return Err(error(1, 1, limit.into()));
-    }
+    limits::CERTIFICATE_BYTES.check(bytes.len()).map_err(|limit| error(1, 1, limit.into()))?;
+    // Reading it, writing it again, and the seal.
+    work.charge_text(bytes.len()).map_err(|limit| error(1, 1, limit.into()))?;
     for (number, line) in (1usize..).zip(bytes.split(|&byte| byte == b'\n')) {
-        if line.len() > limits::LINE_BYTES {
-            return Err(error(number, 1, Limit::new("bytes in a line", 1 << 20).into()));
-        }
+        limits::LINE_BYTES.check(line.len()).map_err(|limit| error(number, 1, limit.into()))?;
         if let Some(at) = line.iter().position(|byte| !(b' '..=b'~').contains(byte)) {
             let carriage_return = line.get(at) == Some(&b'\r');
             let fault = if carriage_return { Fault::CarriageReturn } else { Fault::Character };
@@ -49,6 +46,29 @@ impl<'a, 'w> Reader<'a, 'w> {
 
     pub(crate) fn fail(&self, column: usize, fault: Fault) -> CertificateError {
         CertificateError { line: self.line, column, fault }
+    }
+
+    /// A limit reached in this line.
+    pub(crate) fn limited(&self, result: Result<(), Limit>) -> Result<(), CertificateError> {
+        result.map_err(|limit| self.fail(1, limit.into()))
+    }
+
+    /// Memory for what is read.
+    pub(crate) fn keep(&mut self, bytes: u64) -> Result<(), CertificateError> {
+        let kept = self.work.keep(bytes);
+        self.limited(kept)
+    }
+
+    /// Numbers of so many digits.
+    pub(crate) fn charge_digits(&mut self, digits: usize) -> Result<(), CertificateError> {
+        let charged = self.work.charge_digits(digits);
+        self.limited(charged)
+    }
+
+    /// A look through so many names.
+    pub(crate) fn charge_search(&mut self, names: usize) -> Result<(), CertificateError> {
+        let charged = self.work.charge_search(names);
+        self.limited(charged)
     }
 
     /// The next line; `expected` says which one is missing if there is none.
@@ -133,8 +153,4 @@ impl<'a, 'w> Reader<'a, 'w> {
 /// The column, from 1, at which `tail`, the end of `line`, starts.
 pub(crate) fn column(line: &str, tail: &str) -> usize {
     line.len().saturating_sub(tail.len()).saturating_add(1)
-}
-
-pub(crate) fn count(length: usize) -> u64 {
-    u64::try_from(length).unwrap_or(u64::MAX)
 }

@@ -6,7 +6,7 @@ use itertools::Itertools;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::exact::{Monomial, Polynomial, Radicands, Work, combination};
+use crate::exact::{Arithmetic, Monomial, Polynomial, Radicands, Work};
 use crate::statement::{HomogeneousPoint, Patch};
 
 /// An edge of the parameter square.
@@ -52,19 +52,20 @@ fn plane(field: &Radicands, points: &[HomogeneousPoint]) -> Option<Polynomial> {
         let normal = normal(field, [a, b, c], &mut work)?;
         normal.iter().any(|entry| !entry.is_zero()).then_some(normal)
     })?;
-    let first = normal.iter().find(|entry| !entry.is_zero())?.inverse(field, &mut work).ok()??;
+    let first =
+        Arithmetic::new(field, &mut work).inverse(normal.iter().find(|entry| !entry.is_zero())?).ok()??;
     let mut terms = Vec::new();
     for (variable, entry) in (0u16..).zip(&normal) {
-        let entry = entry.multiply(&first, field, &mut work).ok()?;
-        terms.push(entry.multiply(&Polynomial::variable(variable), field, &mut work).ok()?);
+        let entry = Arithmetic::new(field, &mut work).product(entry, &first).ok()?;
+        terms.push(Arithmetic::new(field, &mut work).product(&entry, &Polynomial::variable(variable)).ok()?);
     }
     for point in points {
         let pairs: Vec<(&Polynomial, &Polynomial)> = normal.iter().zip(point).collect();
-        if !combination(&pairs, field, &mut work).ok()?.is_zero() {
+        if !Arithmetic::new(field, &mut work).dot(&pairs).ok()?.is_zero() {
             return None;
         }
     }
-    Polynomial::sum(&terms, field, &mut work).ok()
+    Arithmetic::new(field, &mut work).sum(&terms).ok()
 }
 
 /// The 3 × 3 minors of three points with alternating signs: what is orthogonal to all three.
@@ -85,11 +86,11 @@ fn normal(field: &Radicands, points: [&HomogeneousPoint; 3], work: &mut Work) ->
             let mut product =
                 Polynomial::term(BigRational::from_integer(BigInt::from(sign)), Monomial::one());
             for (point, column) in points.iter().zip(order) {
-                product = product.multiply(&point[columns[column]], field, work).ok()?;
+                product = Arithmetic::new(field, work).product(&product, &point[columns[column]]).ok()?;
             }
             summands.push(product);
         }
-        *minor = Some(Polynomial::sum(&summands, field, work).ok()?);
+        *minor = Some(Arithmetic::new(field, work).sum(&summands).ok()?);
     }
     let [a, b, c, d] = minors;
     Some([a?, b?, c?, d?])

@@ -8,7 +8,7 @@ use super::edges::{Edge, planes};
 use super::spell::{self, integer};
 use super::unknowns::Unknowns;
 use super::{EXACT, POSITIVE, Parts, SYSTEM, Theorem, data, impossible, names};
-use crate::exact::{Polynomial, Work, sign};
+use crate::exact::{Arithmetic, Polynomial, Work};
 use crate::formats::export::case::{Case, Reasoning};
 use crate::formats::export::integral::common_denominator;
 use crate::statement::{COORDINATES, Patch};
@@ -139,8 +139,8 @@ fn edge_in_plane(edge: &Edge, plane: &Polynomial, common: &str) -> Theorem {
 
 fn weights_positive(case: &Case, patch: &Patch) -> bool {
     let mut work = Work::full();
-    let mut positive =
-        |weight: &Polynomial| matches!(sign(weight, &case.field, &mut work), Ok(Some(Ordering::Greater)));
+    let mut arithmetic = Arithmetic::new(&case.field, &mut work);
+    let mut positive = |weight: &Polynomial| matches!(arithmetic.sign(weight), Ok(Some(Ordering::Greater)));
     patch.net.iter().flatten().all(|point| positive(&point[3]))
 }
 

@@ -8,7 +8,7 @@ use super::spell::{self, integer};
 use super::unknowns::Unknowns;
 use super::{Parts, Theorem, data};
 use crate::certificate::Premise;
-use crate::exact::Work;
+use crate::exact::{Arithmetic, Work};
 use crate::formats::export::case::Case;
 use crate::formats::export::integral::{common_denominator, scaled};
 use crate::statement::{COORDINATES, HomogeneousPoint, Patch};
@@ -181,7 +181,7 @@ fn known_weight(case: &Case, patch: &Patch, common: &BigInt) -> Option<Weight> {
     let constants = weights.filter(|(_, weight)| weight.is_constant() && !weight.is_zero());
     // A rational one, if there is one.
     let (place, weight) = constants.min_by_key(|(_, weight)| weight.as_rational().is_none())?;
-    let inverse = weight.inverse(&case.field, &mut Work::full()).ok()??;
+    let inverse = Arithmetic::new(&case.field, &mut Work::full()).inverse(weight).ok()??;
     let denominator = common_denominator([&inverse]);
     let multiplier = spell::terms(&scaled(&inverse, &BigRational::from_integer(denominator.clone())));
     let binomial = |n: u32, k: u32| (0..k).fold(BigInt::one(), |c, i| c * (n - i) / (i + 1));

@@ -31,7 +31,8 @@ fn size(
     field: &Radicands,
     names: &[String],
 ) -> String {
-    let root = (monomial.mask() != 0).then(|| format!("sqrt {}", field.under_root(monomial.mask())));
+    let under_root = field.under_root(monomial.mask()).filter(|_| monomial.mask() != 0);
+    let root = under_root.map(|under_root| format!("sqrt {under_root}"));
     let above: Vec<String> =
         (!value.numer().is_one()).then(|| value.numer().to_string()).into_iter().chain(root).collect();
     let number = match (above.is_empty(), value.denom().is_one()) {

@@ -7,7 +7,7 @@ use super::super::case::{Case, ExportError};
 use super::super::flat::{lift, rationals, sum_of_products};
 use super::names::Names;
 use crate::certificate::Premise;
-use crate::exact::{Polynomial, Work};
+use crate::exact::{Arithmetic, Polynomial, Work};
 
 /// The equations that have been written, by name: in the generators, as they are stated.
 pub(super) type Known = BTreeMap<Premise, Polynomial>;
@@ -108,9 +108,9 @@ pub(super) fn constant_is_not_zero(
     constant: &Polynomial,
 ) -> Result<String, ExportError> {
     // Where there is none the text claims what is false, and Lean will say so.
-    let inverse = constant.inverse(&case.field, &mut Work::full())?.unwrap_or_default();
+    let inverse = Arithmetic::new(&case.field, &mut Work::full()).inverse(constant)?.unwrap_or_default();
     let (constant, inverse) = (lift(case, constant)?, lift(case, &inverse)?);
-    let product = constant.multiply(&inverse, &rationals(), &mut Work::full())?;
+    let product = Arithmetic::new(&rationals(), &mut Work::full()).product(&constant, &inverse)?;
     Ok(format!(
         "theorem {theorem}{}{} : ({} : ℝ) ≠ 0 := by\n  intro h\n  \
          have s_1 : (1 : ℝ) = 0 := by linear_combination ({}) * h{}\n  exact one_ne_zero s_1\n",

@@ -8,7 +8,7 @@ use super::super::case::Case;
 use super::super::flat::{lift, rationals, sum_of_products};
 use super::names::{COORDINATES, P, Q, ROOM, VALUES};
 use crate::control::Control;
-use crate::exact::{Limit, Monomial, Polynomial, Work};
+use crate::exact::{Arithmetic, Limit, Monomial, Polynomial, Work};
 use crate::statement::Patch;
 
 pub(super) struct Forms {
@@ -117,17 +117,7 @@ fn compose<'a>(
     work: &mut Work,
     image: impl Fn(u16) -> Option<&'a Polynomial>,
 ) -> Result<Polynomial, Limit> {
-    let field = rationals();
-    let mut products = Vec::with_capacity(polynomial.term_count());
-    for (monomial, coefficient) in polynomial.terms() {
-        let mut value = Polynomial::rational(coefficient.clone());
-        for &(variable, exponent) in monomial.powers() {
-            let factor = image(variable).cloned().unwrap_or_else(|| Polynomial::variable(variable));
-            value = value.multiply(&factor.power(exponent, &field, work)?, &field, work)?;
-        }
-        products.push(value);
-    }
-    Polynomial::sum(&products, &field, work)
+    Arithmetic::new(&rationals(), work).put(polynomial, image)
 }
 
 /// The coefficients at pʳ(q^…), r = 0..top, of a form in p and q.

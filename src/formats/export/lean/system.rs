@@ -10,7 +10,7 @@ use super::argument::{
 };
 use super::names::{Names, reals, spaced};
 use crate::certificate::Premise;
-use crate::exact::Polynomial;
+use crate::exact::{Arithmetic, Polynomial};
 use crate::statement::Subject;
 
 pub(super) fn write(case: &Case, names: &Names) -> Result<String, ExportError> {
@@ -88,7 +88,7 @@ fn exact(
     let spelled = spaced(values.iter().map(|value| format!("({})", names.spell(value))));
     let mut text = String::new();
     for (k, equation) in (1..).zip(lifted) {
-        let value = equation.substitute(&images, &rationals(), &mut case.control.work())?;
+        let value = Arithmetic::new(&rationals(), &mut case.control.work()).substitute(equation, &images)?;
         let terms = names.root_terms(&value, '+')?;
         let proof = match terms.strip_prefix(" + ") {
             _ if equation.is_zero() => "rfl".to_owned(),

@@ -1,9 +1,9 @@
 //! Claim `cover`: a patch on the unit sphere covers the polygon between its corners.
 
-mod check;
 mod ends;
-mod text;
 mod vectors;
+mod check;
+mod text;
 
 use std::fmt;
 

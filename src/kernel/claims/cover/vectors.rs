@@ -1,51 +1,53 @@
-//! Vectors of polynomials, every operation charged.
+//! Vectors of polynomials.
 
-use crate::exact::{Limit, Polynomial, Radicands, Work};
+use crate::exact::{Arithmetic, Limit, Polynomial};
 
 /// X, Y, Z.
 pub(super) type Vector = [Polynomial; 3];
 
-/// The operations, over a field.
-pub(super) struct Algebra<'a> {
-    pub(super) field: &'a Radicands,
+/// Each coordinate changed.
+pub(super) fn each(
+    [x, y, z]: &Vector,
+    mut change: impl FnMut(&Polynomial) -> Result<Polynomial, Limit>,
+) -> Result<Vector, Limit> {
+    Ok([change(x)?, change(y)?, change(z)?])
 }
 
-impl Algebra<'_> {
-    pub(super) fn dot(&self, a: &Vector, b: &Vector, work: &mut Work) -> Result<Polynomial, Limit> {
-        let mut products = Vec::with_capacity(3);
-        for (x, y) in a.iter().zip(b) {
-            products.push(x.multiply(y, self.field, work)?);
-        }
-        Polynomial::sum(&products, self.field, work)
-    }
-
-    pub(super) fn cross(
-        &self,
+impl Arithmetic<'_> {
+    /// a·b.
+    pub(super) fn scalar_product(
+        &mut self,
         [a, b, c]: &Vector,
         [x, y, z]: &Vector,
-        work: &mut Work,
-    ) -> Result<Vector, Limit> {
-        let mut minor = |p: &Polynomial, q: &Polynomial, r: &Polynomial, s: &Polynomial| {
-            let products = [p.multiply(s, self.field, work)?, q.multiply(r, self.field, work)?.negate()];
-            Polynomial::sum(&products, self.field, work)
-        };
-        Ok([minor(b, c, y, z)?, minor(c, a, z, x)?, minor(a, b, x, y)?])
+    ) -> Result<Polynomial, Limit> {
+        self.dot(&[(a, x), (b, y), (c, z)])
     }
 
-    pub(super) fn scaled(&self, a: &Vector, factor: &Polynomial, work: &mut Work) -> Result<Vector, Limit> {
-        let [x, y, z] = a;
-        let mut times = |p: &Polynomial| p.multiply(factor, self.field, work);
-        Ok([times(x)?, times(y)?, times(z)?])
+    /// a × b.
+    pub(super) fn cross_product(&mut self, [a, b, c]: &Vector, [x, y, z]: &Vector) -> Result<Vector, Limit> {
+        let [minus_a, minus_b, minus_c] = [self.negated(a)?, self.negated(b)?, self.negated(c)?];
+        Ok([
+            self.dot(&[(b, z), (&minus_c, y)])?,
+            self.dot(&[(c, x), (&minus_a, z)])?,
+            self.dot(&[(a, y), (&minus_b, x)])?,
+        ])
     }
 
-    pub(super) fn sum(
-        &self,
-        [a, b, c]: &Vector,
-        [x, y, z]: &Vector,
-        work: &mut Work,
+    /// factor·a.
+    pub(super) fn scaled(&mut self, a: &Vector, factor: &Polynomial) -> Result<Vector, Limit> {
+        each(a, |x| self.product(x, factor))
+    }
+
+    /// factor·a + other·b.
+    pub(super) fn combined(
+        &mut self,
+        ([a, b, c], factor): (&Vector, &Polynomial),
+        ([x, y, z], other): (&Vector, &Polynomial),
     ) -> Result<Vector, Limit> {
-        let mut plus =
-            |p: &Polynomial, q: &Polynomial| Polynomial::sum(&[p.clone(), q.clone()], self.field, work);
-        Ok([plus(a, x)?, plus(b, y)?, plus(c, z)?])
+        Ok([
+            self.dot(&[(factor, a), (other, x)])?,
+            self.dot(&[(factor, b), (other, y)])?,
+            self.dot(&[(factor, c), (other, z)])?,
+        ])
     }
 }

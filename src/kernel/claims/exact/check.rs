@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::{ExactNet, Rejection, Solution};
 use crate::equations::{Equations, Premise};
-use crate::exact::{Limit, Polynomial, Work, sign};
+use crate::exact::{Arithmetic, Limit, Polynomial, Work};
 use crate::failure::{At, Failure, Place};
 use crate::statement::{HomogeneousPoint, Patch, Statement, Subject};
 
@@ -22,31 +22,32 @@ pub(in crate::claims) fn verify(
 ) -> Result<Zero, Failure<Rejection>> {
     let equations = Equations::of(statement, work).at(Place::Equations)?;
     let at = Place::Values;
+    let arithmetic = &mut Arithmetic::new(statement.field(), work);
     for (number, assumed) in (1u32..).zip(statement.nonzero()) {
-        if assumed.substitute(values, statement.field(), work).at(at)?.is_zero() {
+        if arithmetic.substitute(assumed, values).at(at)?.is_zero() {
             return Err(Rejection::AssumptionVanishes { assumption: Premise::Nonzero(number) }.into());
         }
     }
     let equalities = equations.iter().filter(|(name, _)| !matches!(name, Premise::Nonzero(_)));
     for (name, equation) in equalities {
-        let value = equation.substitute(values, statement.field(), work).at(at)?;
+        let value = arithmetic.substitute(equation, values).at(at)?;
         if !value.is_zero() {
             let actual = statement.ring().excerpt(&value);
             return Err(Rejection::NotAZero { equation: name, actual }.into());
         }
     }
-    let values = values.to_vec();
+    let values = copies(values, arithmetic).at(at)?;
     match statement.subject() {
         Subject::System(_) => Ok(Zero::OfSystem(Solution { values })),
         Subject::Patch(patch) => {
-            let net = evaluated(patch, &values, statement, work).at(at)?;
+            let net = evaluated(patch, &values, arithmetic).at(at)?;
             let weights: Vec<&Polynomial> = net.iter().flatten().map(|[.., weight]| weight).collect();
             if weights.iter().all(|weight| weight.is_zero()) {
                 return Err(Rejection::NoDenominator.into());
             }
             let mut weights_positive = true;
             for weight in weights {
-                weights_positive &= sign(weight, statement.field(), work).at(at)? == Some(Ordering::Greater);
+                weights_positive &= arithmetic.sign(weight).at(at)? == Some(Ordering::Greater);
             }
             Ok(Zero::OfPatch(ExactNet { values, net, weights_positive }))
         }
@@ -57,17 +58,25 @@ pub(in crate::claims) fn verify(
 pub(in crate::claims) fn evaluated(
     patch: &Patch,
     values: &[Polynomial],
-    statement: &Statement,
-    work: &mut Work,
+    arithmetic: &mut Arithmetic<'_>,
 ) -> Result<Vec<Vec<HomogeneousPoint>>, Limit> {
     let mut net = Vec::with_capacity(patch.net.len());
     for row in &patch.net {
         let mut points = Vec::with_capacity(row.len());
         for [x, y, z, w] in row {
-            let mut at = |entry: &Polynomial| entry.substitute(values, statement.field(), work);
+            arithmetic.work.keep(256)?;
+            let mut at = |entry: &Polynomial| arithmetic.substitute(entry, values);
             points.push([at(x)?, at(y)?, at(z)?, at(w)?]);
         }
         net.push(points);
     }
     Ok(net)
+}
+
+/// The values once more.
+pub(in crate::claims) fn copies(
+    values: &[Polynomial],
+    arithmetic: &mut Arithmetic<'_>,
+) -> Result<Vec<Polynomial>, Limit> {
+    values.iter().map(|value| arithmetic.copied(value)).collect()
 }

@@ -10,7 +10,7 @@ use crate::equations::Premise;
 use crate::exact::Polynomial;
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
-pub(super) use check::{Zero, evaluated, verify};
+pub(super) use check::{Zero, copies, evaluated, verify};
 pub(super) use text::{read, spelled, value_lines, write};
 
 /// At these values the patch lies on the surface.

@@ -2,8 +2,8 @@
 
 use super::Step;
 use crate::equations::Premise;
-use crate::exact::{Limit, Polynomial, Ring, limits};
-use crate::text::{CertificateError, CertificateFault as Fault, Reader, column, count};
+use crate::exact::{Polynomial, Ring, count, limits};
+use crate::text::{CertificateError, CertificateFault as Fault, Reader, column};
 
 /// The lines after the claim.
 pub(in crate::claims) fn write(steps: &[Step], ring: &Ring, lines: Vec<String>) -> String {
@@ -35,9 +35,8 @@ pub(in crate::claims) fn read(reader: &mut Reader<'_, '_>) -> Result<Vec<Step>, 
             let found = line.chars().take(60).collect();
             return Err(reader.fail(1, Fault::StepNumber { expected: next, found }));
         }
-        if steps.len() >= limits::STEPS {
-            return Err(reader.fail(1, Limit::new("steps", 100_000).into()));
-        }
+        reader.limited(limits::STEPS.check(next))?;
+        reader.keep(128)?;
         steps.push(step(reader, next)?);
     }
 }
@@ -71,6 +70,7 @@ fn step(reader: &mut Reader<'_, '_>, number: u64) -> Result<Step, CertificateErr
         if multiplier.is_zero() {
             return Err(reader.fail(column(line, spelled), Fault::ZeroMultiplier));
         }
+        reader.keep(128)?;
         combination.push((premise, multiplier));
     }
 }

@@ -3,8 +3,8 @@
 use num_rational::BigRational;
 
 use super::{Quantity, Rejection};
-use crate::equations::Expanded;
-use crate::exact::{Limit, Polynomial, Radicands, Work, combination};
+use crate::equations::{Expanded, expand};
+use crate::exact::{Arithmetic, Limit, Polynomial, Stop};
 use crate::statement::{Patch, Statement, Subject};
 
 /// What a sum in an argument may contain, at one point of the square; all are positive for a patch with W > 0
@@ -42,26 +42,35 @@ pub(in crate::claims) fn subject(statement: &Statement, quantity: Quantity) -> R
 }
 
 /// F, W and Wᵉ along the patch, in t and s.
-pub(in crate::claims) struct Along<'a> {
+pub(in crate::claims) struct Along {
     pub(in crate::claims) expanded: Expanded,
-    pub(in crate::claims) power: Polynomial,
-    pub(in crate::claims) field: &'a Radicands,
+    power: Polynomial,
 }
 
-impl Along<'_> {
+impl Along {
+    pub(in crate::claims) fn of(patch: &Patch, arithmetic: &mut Arithmetic<'_>) -> Result<Self, Stop> {
+        let expanded = expand(patch, arithmetic)?;
+        let power = arithmetic.power(&expanded.weight, patch.surface.degree())?;
+        Ok(Along { expanded, power })
+    }
+
     /// F − bound·Wᵉ, bound·Wᵉ − F, or W.
     pub(in crate::claims) fn side(
         &self,
         side: Side,
         bound: BigRational,
-        work: &mut Work,
+        arithmetic: &mut Arithmetic<'_>,
     ) -> Result<Polynomial, Limit> {
-        let (one, bound) = (Polynomial::integer(1), Polynomial::rational(bound));
         let (surface, power) = (&self.expanded.surface, &self.power);
+        let (one, minus_one) = (Polynomial::integer(1), Polynomial::integer(-1));
+        let bound = Polynomial::rational(bound);
         match side {
-            Side::Lower => combination(&[(&one, surface), (&bound.negate(), power)], self.field, work),
-            Side::Upper => combination(&[(&bound, power), (&one.negate(), surface)], self.field, work),
-            Side::Weight => Ok(self.expanded.weight.clone()),
+            Side::Lower => {
+                let negative = arithmetic.negated(&bound)?;
+                arithmetic.dot(&[(&one, surface), (&negative, power)])
+            }
+            Side::Upper => arithmetic.dot(&[(&bound, power), (&minus_one, surface)]),
+            Side::Weight => arithmetic.copied(&self.expanded.weight),
         }
     }
 }

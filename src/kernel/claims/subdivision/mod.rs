@@ -1,8 +1,10 @@
 //! Arguments by subdivision: boxes on each of which the coefficients of a form have one sign.
 
-mod along;
-mod form;
 mod quantity;
+mod along;
+mod signs;
+mod table;
+mod form;
 mod square;
 mod text;
 
@@ -10,10 +12,12 @@ use std::fmt;
 
 pub use along::Side;
 pub(super) use along::{Along, subject};
-pub(super) use form::{Form, Interval, Signs};
-pub use quantity::{Quantity, Units, decimal_value, spell_decimal};
+pub(super) use form::Form;
+pub use quantity::{Quantity, Units, spell_decimal};
 pub(super) use quantity::{on_ratio, threshold};
+pub(super) use signs::Signs;
 pub(super) use square::{NOT_NEGATIVE, POSITIVE, UnitSquare};
+pub(super) use table::Interval;
 pub(super) use text::{leaves, quantity, sealed, spelled};
 
 /// A binary tree in preorder: `true` for a box that is halved, `false` for one that is not.

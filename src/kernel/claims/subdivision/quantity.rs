@@ -2,10 +2,12 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 
 use super::Rejection;
 use crate::claims::wording;
+use crate::exact::{Limit, Work};
+use crate::failure::{At, Failure, Place};
 use crate::statement::{Statement, Subject};
 
 /// What is bounded, along a patch with denominator W > 0 on a surface F = 0 of degree e.
@@ -42,11 +44,6 @@ impl Quantity {
 /// A decimal with a fixed number of places, as an integer of units of the last one.
 pub type Units = BigInt;
 
-/// A bound as a rational number.
-pub fn decimal_value(units: &Units, places: u32) -> BigRational {
-    BigRational::new(units.clone(), power_of_ten(places))
-}
-
 /// A decimal as it is spelled: a sign, digits, and a point with all places after it (none for no places).
 pub fn spell_decimal(units: &Units, places: u32) -> String {
     let width = usize::try_from(places).unwrap_or(usize::MAX);
@@ -60,27 +57,29 @@ pub fn spell_decimal(units: &Units, places: u32) -> String {
     }
 }
 
-/// 10ⁿ.
-fn power_of_ten(places: u32) -> BigInt {
-    (0..places).fold(BigInt::one(), |power, _| power * BigInt::from(10))
-}
-
 /// The bound on F/Wᵉ that a stated bound means.
 pub(in crate::claims) fn threshold(
     quantity: Quantity,
     bound: &Units,
     places: u32,
-) -> Result<BigRational, Rejection> {
+    work: &mut Work,
+) -> Result<BigRational, Failure<Rejection>> {
     match quantity == Quantity::Radius && bound.is_negative() {
-        true => Err(Rejection::NegativeRadius),
-        false => Ok(on_ratio(quantity, &decimal_value(bound, places))),
+        true => Err(Rejection::NegativeRadius.into()),
+        false => on_ratio(quantity, bound, places, work).at(Place::Values),
     }
 }
 
-/// r² − 1 for a radius r.
-pub(in crate::claims) fn on_ratio(quantity: Quantity, value: &BigRational) -> BigRational {
+/// The same for a bound that may be negative: r² − 1 for a radius r.
+pub(in crate::claims) fn on_ratio(
+    quantity: Quantity,
+    bound: &Units,
+    places: u32,
+    work: &mut Work,
+) -> Result<BigRational, Limit> {
+    let value = work.decimal(bound, places)?;
     match quantity {
-        Quantity::Radius => value * value - BigRational::one(),
-        Quantity::Ratio => value.clone(),
+        Quantity::Radius => work.square_less_one(&value),
+        Quantity::Ratio => Ok(value),
     }
 }

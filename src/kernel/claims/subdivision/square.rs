@@ -2,12 +2,16 @@
 
 use std::cmp::Ordering;
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::One;
 
-use super::form::{Form, Interval, Signs};
+use super::form::Form;
+use super::signs::Signs;
+use super::table::Interval;
 use super::{Rejection, Tree};
 use crate::equations::{S, T};
-use crate::exact::{Polynomial, Radicands, Stop, Work};
+use crate::exact::{Limit, Polynomial, Radicands, Stop, Work};
 use crate::failure::{At, Failure, Place};
 
 /// Signs that may be asked for.
@@ -16,13 +20,12 @@ pub(in crate::claims) const NOT_NEGATIVE: &[Ordering] = &[Ordering::Greater, Ord
 
 /// What subdivisions of the square have in common.
 pub(in crate::claims) struct UnitSquare<'a> {
-    field: &'a Radicands,
-    signs: Signs,
+    signs: Signs<'a>,
 }
 
 impl<'a> UnitSquare<'a> {
-    pub(in crate::claims) fn new(field: &'a Radicands) -> Self {
-        UnitSquare { field, signs: Signs::new(field) }
+    pub(in crate::claims) fn new(field: &'a Radicands, work: &mut Work) -> Result<Self, Limit> {
+        Ok(UnitSquare { signs: Signs::new(field, work)? })
     }
 
     /// A polynomial in t and s, without unknowns, as a form in u and 1 − u, v and 1 − v: t = u/(1−u), s = v/(1−v).
@@ -32,13 +35,22 @@ impl<'a> UnitSquare<'a> {
         degrees: [u32; 2],
         work: &mut Work,
     ) -> Result<Form, Stop> {
+        Form::counted(work, |work| self.dense(polynomial, degrees, work))
+    }
+
+    fn dense(&self, polynomial: &Polynomial, degrees: [u32; 2], work: &mut Work) -> Result<Form, Stop> {
         let size = |exponent: u32| usize::try_from(exponent).unwrap_or(usize::MAX);
-        let mut terms = Vec::with_capacity(polynomial.term_count());
-        for (monomial, value) in polynomial.terms() {
-            let exponents = [T, S].map(|variable| size(monomial.exponent(variable))).to_vec();
-            terms.push((exponents, monomial.mask(), value.clone()));
+        let mut form = Form::zero(degrees.map(size).to_vec(), self.signs.masks(), work)?;
+        let mut denominator = BigInt::one();
+        for (_, value) in polynomial.terms() {
+            denominator = work.common_multiple(&denominator, value.denom())?;
         }
-        Form::new(self.field, degrees.map(size).to_vec(), &terms, work)
+        for (monomial, value) in polynomial.terms() {
+            let exponents = [T, S].map(|variable| size(monomial.exponent(variable)));
+            let factor = work.quotient(&denominator, value.denom())?;
+            form.add(&exponents, monomial.mask(), [value.numer(), &factor], work)?;
+        }
+        Ok(form)
     }
 
     /// The sign at a point (u, v) of the square, of a form in the parameters whose odds are u/(1 − u) and v/(1 − v) over these.
@@ -51,13 +63,15 @@ impl<'a> UnitSquare<'a> {
     ) -> Result<Ordering, Stop> {
         let mut form = form;
         for ((axis, x), odds) in (0usize..).zip(point).zip(odds) {
-            let rest = x.denom() - x.numer();
-            work.charge_product(x.numer(), odds.denom())?;
-            work.charge_product(&rest, odds.numer())?;
-            let interval = Interval::point(x.numer() * odds.denom(), rest * odds.numer());
-            form = form.on(axis, &interval, work)?;
+            let rest = work.difference(x.denom(), x.numer())?;
+            let (there, rest) = (work.product(x.numer(), odds.denom())?, work.product(&rest, odds.numer())?);
+            let next = form.on(axis, &Interval::point(there, rest), work)?;
+            form.let_go(work);
+            form = next;
         }
-        form.first(&self.signs, work)
+        let sign = form.first(&self.signs, work)?;
+        form.let_go(work);
+        Ok(sign)
     }
 
     /// Follows a tree from the whole square: the boxes that are not halved have accepted signs, the others have not.
@@ -92,6 +106,7 @@ impl<'a> UnitSquare<'a> {
                     open.push((form.on(axis, &low, work).at(at)?, next));
                 }
             }
+            form.let_go(work);
         }
         match open.is_empty() {
             true => Ok(boxes),

@@ -1,10 +1,9 @@
 //! What the texts of arguments by subdivision have in common: quantities, decimals, trees, and the seal.
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::{Quantity, Tree, Units};
-use crate::exact::{Limit, limits};
+use crate::exact::limits;
 use crate::text::{CertificateError, CertificateFault as Fault, Reader, column, seal};
 
 impl Reader<'_, '_> {
@@ -30,9 +29,7 @@ impl Reader<'_, '_> {
             _ => return Err(self.unexpected(line, expected)),
         };
         let places = self.index(rest.map_or("", |(_, places)| places))?;
-        if places > limits::PLACES {
-            return Err(self.fail(1, Limit::new("decimal places", limits::PLACES.into()).into()));
-        }
+        self.limited(limits::PLACES.check(places))?;
         Ok((quantity, places))
     }
 
@@ -49,33 +46,31 @@ impl Reader<'_, '_> {
     }
 
     /// A decimal with this many places.
-    pub(in crate::claims) fn decimal(&self, text: &str, places: u32) -> Result<Units, CertificateError> {
-        let wrong = || self.fail(1, Fault::Decimal { places, found: text.chars().take(60).collect() });
+    pub(in crate::claims) fn decimal(&mut self, text: &str, places: u32) -> Result<Units, CertificateError> {
+        let wrong = self.fail(1, Fault::Decimal { places, found: text.chars().take(60).collect() });
         let (negative, digits) = match text.strip_prefix('-') {
             Some(rest) => (true, rest),
             None => (false, text),
         };
         let (whole, decimals) = match places {
             0 => (digits, ""),
-            _ => digits.split_once('.').ok_or_else(wrong)?,
+            _ => digits.split_once('.').ok_or_else(|| wrong.clone())?,
         };
         let is_digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
         let length = u32::try_from(decimals.len()).unwrap_or(u32::MAX);
         if whole.is_empty() || !is_digits(whole) || !is_digits(decimals) || length != places {
-            return Err(wrong());
+            return Err(wrong);
         }
-        if digits.len() > limits::DIGITS {
-            return Err(self.fail(1, Limit::digits().into()));
-        }
-        let units: BigInt = format!("{whole}{decimals}").parse().map_err(|_| wrong())?;
-        Ok(if negative { -units } else { units })
+        self.limited(limits::DIGITS.check(digits.len()))?;
+        // It is read now, and written to compare the text and for the sentence.
+        self.charge_digits(digits.len().saturating_mul(4))?;
+        let sign = if negative { "-" } else { "" };
+        format!("{sign}{whole}{decimals}").parse().map_err(|_| wrong)
     }
 
     /// A tree, `h` for a box that is halved and `.` for one that is not.
     pub(in crate::claims) fn tree(&self, line: &str, text: &str) -> Result<Tree, CertificateError> {
-        if text.len() > limits::BOXES {
-            return Err(self.fail(1, Limit::new("boxes", 1_000_000).into()));
-        }
+        self.limited(limits::BOXES.check(text.len()))?;
         // As many boxes are still to come as were opened by halving and not closed yet.
         let (mut open, mut tree) = (1usize, Tree::with_capacity(text.len()));
         for (position, byte) in (0usize..).zip(text.bytes()) {

@@ -14,16 +14,17 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed;
 
-use super::chart::{Chart, degrees, far};
+use super::boxes::Walk;
+use super::chart::{Along, Chart, Powers, far};
 use super::{Excluded, Region, Rejection, Unreachable};
-use crate::claims::subdivision::{self, Along, Form, Interval, Side, Signs, subject, threshold};
-use crate::equations::expand;
-use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work};
+use crate::claims::subdivision::{self, Side, Signs, subject, threshold};
+use crate::exact::{Arithmetic, Monomial, Polynomial, Stop, Work};
 use crate::failure::{At, Failure, Place};
-use crate::statement::Statement;
+use crate::statement::{Patch, Statement};
 
 /// Follows the charts.
 pub(in crate::claims) fn verify(
@@ -31,69 +32,47 @@ pub(in crate::claims) fn verify(
     argument: &Unreachable,
     work: &mut Work,
 ) -> Result<Excluded, Failure<Rejection>> {
-    let not_a_tree = || Rejection::from(subdivision::Rejection::Tree { tree: "charts" });
     let patch = subject(statement, argument.quantity).map_err(Rejection::from)?;
-    let field = statement.field();
     let values = Place::Values;
     let unknowns = statement.unknowns().len();
     if argument.charts.len() != Unreachable::chart_count(unknowns) || !argument.range.is_positive() {
-        return Err(not_a_tree().into());
+        return Err(not_a_tree());
     }
-    let expanded = expand(field, patch, work).at(values)?;
-    let power = expanded.weight.power(patch.surface.degree(), field, work).at(values)?;
-    let along = Along { expanded, power, field };
-    let low = threshold(argument.quantity, &argument.lower, argument.places).map_err(Rejection::from)?;
-    let high = threshold(argument.quantity, &argument.upper, argument.places).map_err(Rejection::from)?;
-    let mut sides = Vec::with_capacity(3);
-    for (side, bound) in [(Side::Lower, low), (Side::Upper, high.clone()), (Side::Weight, high)] {
-        let polynomial = along.side(side, bound, work).at(values)?;
-        let mut polynomial = with_products(&polynomial, &argument.products, work)?;
-        for (unknown, form) in &argument.forms {
-            polynomial = put(&polynomial, *unknown, form, field, work).at(values)?;
-        }
-        sides.push((side, polynomial));
+    if argument.lower >= argument.upper {
+        return Err(Rejection::Empty.into());
     }
-    let signs = Signs::new(field);
+    let sides = sides(patch, argument, &mut Arithmetic::new(statement.field(), work))?;
+    let signs = Signs::new(statement.field(), work).at(values)?;
     let mut boxes = 0usize;
     for (number, regions) in (0usize..).zip(&argument.charts) {
-        let chart = Chart { far: far(number), unknowns, range: &argument.range };
-        let mut known = BTreeMap::new();
-        let mut open = vec![(chart.whole(), 0usize)];
+        let (held, far) = (work.held(), far(number));
+        work.charge(Work::TERM).at(values)?;
+        let mut range = Powers::new(&argument.range, work).at(values)?;
+        let mut chart = Chart::new(far, &mut range, &argument.samples, &sides);
+        let mut walk = Walk::new(far.map(|(far, _)| far), unknowns);
         for (position, region) in (1usize..).zip(regions) {
             let node = Place::Node("charts", position);
-            let Some((intervals, depth)) = open.pop() else {
-                return Err(not_a_tree().into());
-            };
+            if !walk.open {
+                return Err(not_a_tree());
+            }
             match region {
-                Region::Halved => {
-                    let axis = depth.checked_rem(unknowns.max(1)).unwrap_or(0);
-                    let halves = intervals.get(axis).map(Interval::halves);
-                    for half in halves.into_iter().flatten().rev() {
-                        let mut part = intervals.clone();
-                        if let Some(interval) = part.get_mut(axis) {
-                            *interval = half;
-                        }
-                        work.charge(size(&part)).at(node)?;
-                        open.push((part, depth.saturating_add(1)));
-                    }
-                }
+                // Without unknowns there is nothing to halve across.
+                Region::Halved if unknowns == 0 => return Err(not_a_tree()),
+                Region::Halved => walk.halve(work).at(node)?,
                 Region::Excluded(sum) => {
-                    let terms = chart.sum(sum, &sides, &argument.samples, &mut known, work).at(node)?;
-                    let mut form = Form::new(field, degrees(&terms, unknowns), &terms, work).at(node)?;
-                    for (axis, interval) in (0usize..).zip(&intervals) {
-                        form = form.on(axis, interval, work).at(node)?;
-                    }
-                    if !form.all(&signs, &[Ordering::Less, Ordering::Equal], work).at(node)? {
+                    if !excluded(&mut chart, sum, &walk, &signs, work).at(node)? {
                         let chart = number.saturating_add(1);
                         return Err(Rejection::NotExcluded { chart, node: position }.into());
                     }
                     boxes = boxes.saturating_add(1);
+                    walk.leave(work);
                 }
             }
         }
-        if !open.is_empty() {
-            return Err(not_a_tree().into());
+        if walk.open {
+            return Err(not_a_tree());
         }
+        work.release_to(held);
     }
     Ok(Excluded {
         quantity: argument.quantity,
@@ -103,38 +82,71 @@ pub(in crate::claims) fn verify(
     })
 }
 
-/// The price of keeping a box: its numbers grow with its depth.
-fn size(intervals: &[Interval]) -> u64 {
-    let numbers = intervals.iter().flat_map(|interval| interval.x.iter().chain(&interval.y));
-    let bits = numbers.fold(0u64, |bits, number| bits.saturating_add(number.bits()));
-    bits.saturating_mul(2).saturating_add(1000)
+fn not_a_tree() -> Failure<Rejection> {
+    Rejection::from(subdivision::Rejection::Tree { tree: "charts" }).into()
 }
 
-/// A form is put for an unknown. It contains the unknown and has degree 1, so that every value of the unknown is a value
-/// of the form, whatever the others are.
-fn put(
-    polynomial: &Polynomial,
-    unknown: u16,
-    form: &Polynomial,
-    field: &Radicands,
+/// Whether a sum is nowhere positive on the box that a walk has come to.
+fn excluded(
+    chart: &mut Chart<'_>,
+    sum: &[(BigInt, Side, usize)],
+    walk: &Walk,
+    signs: &Signs<'_>,
     work: &mut Work,
-) -> Result<Polynomial, Limit> {
-    let of = |k: u16| if k == unknown { form.clone() } else { Polynomial::variable(k) };
-    let values: Vec<Polynomial> = (0..=unknown).map(of).collect();
-    polynomial.substitute(&values, field, work)
+) -> Result<bool, Stop> {
+    let (mut form, axes) = chart.sum(sum, signs.masks(), work)?;
+    for (place, axis) in (0usize..).zip(axes) {
+        let next = form.on(place, walk.interval(axis, &mut None), work)?;
+        form.let_go(work);
+        form = next;
+    }
+    let nowhere_positive = form.all(signs, &[Ordering::Less, Ordering::Equal], work)?;
+    form.let_go(work);
+    Ok(nowhere_positive)
+}
+
+/// The three sides along the patch, in the unknowns that the argument is about.
+fn sides(
+    patch: &Patch,
+    argument: &Unreachable,
+    arithmetic: &mut Arithmetic<'_>,
+) -> Result<BTreeMap<Side, Along>, Failure<Rejection>> {
+    let values = Place::Values;
+    let along = subdivision::Along::of(patch, arithmetic).at(values)?;
+    let mut bound = |units| {
+        let bound = threshold(argument.quantity, units, argument.places, arithmetic.work);
+        bound.map_err(|error| error.map(Rejection::from))
+    };
+    let (low, high) = (bound(&argument.lower)?, bound(&argument.upper)?);
+    let mut sides = BTreeMap::new();
+    for (side, bound) in [(Side::Lower, low), (Side::Upper, high.clone()), (Side::Weight, high)] {
+        let polynomial = along.side(side, bound, arithmetic).at(values)?;
+        let mut polynomial = with_products(&polynomial, &argument.products, arithmetic)?;
+        for (unknown, form) in &argument.forms {
+            // It contains the unknown and has degree 1, so that every value of the unknown is a value of the form, whatever the
+            // others are.
+            let put = arithmetic.put(&polynomial, |variable| (variable == *unknown).then_some(form));
+            polynomial = put.at(values)?;
+        }
+        sides.insert(side, Along::new(polynomial, arithmetic.work).at(values)?);
+    }
+    Ok(sides)
 }
 
 /// z is put for z·w: z^b w^a becomes z^b w^(a−b), which must not have a negative exponent.
 fn with_products(
     polynomial: &Polynomial,
     products: &[(u16, u16)],
-    work: &mut Work,
+    arithmetic: &mut Arithmetic<'_>,
 ) -> Result<Polynomial, Failure<Rejection>> {
+    let values = Place::Values;
+    arithmetic.charge_copy(polynomial).at(values)?;
     let mut terms: Vec<(Monomial, BigRational)> =
         polynomial.terms().map(|(monomial, value)| (monomial.clone(), value.clone())).collect();
     for &(z, w) in products {
         for (monomial, _) in &mut terms {
-            work.charge_term(monomial).at(Place::Values)?;
+            let powers = arithmetic.work.charge_each(monomial.powers().len(), Work::POWER);
+            powers.and_then(|()| arithmetic.work.charge(Work::TERM)).at(values)?;
             let spent = monomial.exponent(z);
             let mut powers = monomial.powers().to_vec();
             for (variable, exponent) in &mut powers {
@@ -151,5 +163,5 @@ fn with_products(
         }
     }
     // z·w ↦ z is one to one on the monomials it applies to, so that no two of them have become equal.
-    Ok(Polynomial::from_terms(terms))
+    arithmetic.gathered(terms).at(values)
 }

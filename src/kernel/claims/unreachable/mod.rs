@@ -1,5 +1,6 @@
 //! Claim `unreachable`: how near no patch comes to its surface.
 
+mod boxes;
 mod chart;
 mod check;
 mod text;
@@ -92,6 +93,8 @@ pub struct Excluded {
 pub enum Rejection {
     /// The subdivisions.
     Subdivision(subdivision::Rejection),
+    /// Bounds between which there is no number.
+    Empty,
     /// Unknowns that do not occur as a product.
     NotAProduct,
     /// A sum that is not shown to be nowhere positive on its box.
@@ -139,6 +142,7 @@ impl fmt::Display for Rejection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Rejection::Subdivision(rejection) => rejection.fmt(f),
+            Rejection::Empty => write!(f, "no number is strictly between the two bounds"),
             Rejection::NotAProduct => {
                 write!(f, "the equations are not polynomials in the stated products")
             }

@@ -5,7 +5,7 @@ use num_traits::Signed;
 
 use super::{Odds, Region, Unreachable};
 use crate::claims::subdivision::{Side, quantity, sealed, spell_decimal};
-use crate::exact::{Limit, Polynomial, Ring, limits, read_natural};
+use crate::exact::{Polynomial, Ring, count, limits, read_natural};
 use crate::text::{CertificateError, CertificateFault as Fault, Reader};
 
 /// The lines after the claim.
@@ -56,6 +56,7 @@ pub(in crate::claims) fn read(reader: &mut Reader<'_, '_>) -> Result<Unreachable
     let mut line = reader.next(expected)?;
     let mut products = Vec::new();
     while let Some(text) = line.strip_prefix("product ") {
+        reader.charge_search(reader.unknowns.saturating_mul(2))?;
         let pair = text.split_once('*').and_then(|(z, w)| Some((unknown(reader, z)?, unknown(reader, w)?)));
         let pair = pair.filter(|(z, w)| z != w && products.len() < reader.unknowns);
         products.push(pair.ok_or_else(|| reader.unexpected(line, "`product ` and two unknowns, z*w"))?);
@@ -66,11 +67,13 @@ pub(in crate::claims) fn read(reader: &mut Reader<'_, '_>) -> Result<Unreachable
         return Err(reader.unexpected(line, expected));
     }
     while let Some(text) = line.strip_prefix("put ").filter(|_| newer) {
+        reader.charge_search(reader.unknowns)?;
         let form = form(reader, line, text, forms.last().map(|(before, _)| *before))?;
         forms.push(form);
         line = reader.next("`put` or `range`")?;
     }
-    let range = line.strip_prefix("range ").filter(|digits| digits.len() <= limits::DIGITS);
+    reader.charge_digits(line.len().min(limits::DIGITS.length()).saturating_mul(2))?;
+    let range = line.strip_prefix("range ").filter(|digits| limits::DIGITS.allows(digits.len()));
     let range = range
         .and_then(|digits| read_natural(digits).ok())
         .filter(|(range, rest)| rest.is_empty() && range.is_positive());
@@ -136,9 +139,7 @@ fn charts(reader: &mut Reader<'_, '_>) -> Result<(Vec<[Odds; 2]>, Vec<Vec<Region
                 }
                 None => return Err(reader.unexpected(line, expected)),
             };
-            if boxes.saturating_add(open) > limits::BOXES {
-                return Err(reader.fail(1, Limit::new("boxes", 1_000_000).into()));
-            }
+            reader.limited(limits::BOXES.check(boxes.saturating_add(open)))?;
             if let Some(chart) = charts.last_mut() {
                 chart.push(region);
             }
@@ -167,9 +168,7 @@ fn sample(
     let odds = text.split_once(" at ").filter(|(found, _)| *found == number.to_string());
     let pair = odds.and_then(|(_, odds)| odds.split_once(' '));
     let (u, v) = pair.ok_or_else(|| reader.unexpected(line, expected))?;
-    if number > limits::SAMPLES {
-        return Err(reader.fail(1, Limit::new("samples", 10_000).into()));
-    }
+    reader.limited(limits::SAMPLES.check(number))?;
     let mut read = |odds: &str| {
         let (value, shrinking) = match odds.strip_suffix("*h") {
             Some(value) => (value, true),
@@ -186,7 +185,7 @@ fn sample(
 
 /// `3*upper[1] + 2*lower[2]`: sides in their order, by sample, each once.
 fn sum(
-    reader: &Reader<'_, '_>,
+    reader: &mut Reader<'_, '_>,
     line: &str,
     text: &str,
     samples: usize,
@@ -194,7 +193,11 @@ fn sum(
     let expected = "`exclude ` and a sum of terms N*lower[k], N*upper[k], N*weight[k] in order";
     let mut sum: Vec<(BigInt, Side, usize)> = Vec::new();
     for part in text.split(" + ") {
-        let term = part.split_once('*').filter(|(factor, _)| factor.len() <= limits::DIGITS).and_then(
+        let (digits, _) = part.split_once('*').unwrap_or_default();
+        reader.charge_digits(digits.len().min(limits::DIGITS.length()).saturating_mul(2))?;
+        // A term and its number, in a list that may have room for twice as many.
+        reader.keep(u64::from(limits::DIGITS.number()).min(count(digits.len())).saturating_add(160))?;
+        let term = part.split_once('*').filter(|(factor, _)| limits::DIGITS.allows(factor.len())).and_then(
             |(factor, name)| {
                 let (factor, rest) = read_natural(factor).ok()?;
                 let (name, index) = name.strip_suffix(']')?.split_once('[')?;

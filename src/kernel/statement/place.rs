@@ -3,11 +3,6 @@
 use std::fmt;
 use std::ops::Range;
 
-use super::error::{StatementError, StatementFault};
-
-/// A fault with the bytes of the file it concerns.
-pub(super) type Located = (StatementFault, Range<usize>);
-
 /// How much of a long line an error shows.
 const EXCERPT: usize = 100;
 /// How much of it stands in front of the offending text.
@@ -58,11 +53,6 @@ impl fmt::Display for Place {
         let width = self.width.clamp(1, shown.max(1));
         write!(f, "      | {}{}", " ".repeat(self.excerpt_column), "^".repeat(width))
     }
-}
-
-/// Finds the place of a fault.
-pub(super) fn locate(text: &str, (fault, span): Located) -> StatementError {
-    StatementError { place: Place::of(text, span), fault }
 }
 
 /// Control characters, and the invisible ones that reorder or hide text on a terminal.
