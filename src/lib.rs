@@ -34,6 +34,7 @@ pub mod prove;
 pub mod approximation;
 pub mod construction;
 pub mod expand;
+pub mod document;
 pub mod audit;
 #[cfg(feature = "figures")]
 pub mod figure;

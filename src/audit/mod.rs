@@ -8,7 +8,6 @@ mod compare;
 mod correction;
 mod decimal;
 pub mod net;
-mod phrase;
 mod site;
 mod span;
 mod targets;
@@ -17,7 +16,6 @@ pub use claims::{ClaimVerdict, Judgement};
 pub use compare::{Difference, Finding, Relation};
 pub use correction::{Change, Correction};
 pub use decimal::decimal;
-pub use phrase::{Phrase, Piece};
 pub use targets::{Target, Targets};
 
 use compare::{Printed, compare, explain};

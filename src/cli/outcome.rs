@@ -7,7 +7,7 @@ use prove_cap_kernel::outcome::{failed, print};
 
 use crate::commands::{Failure, NoAnswer, Undecided, Verdict};
 use crate::report::pages::Unchecked;
-use crate::report::{Page, json, text};
+use crate::report::{Page, json, latex, text};
 
 /// How results are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -17,7 +17,7 @@ pub(super) enum Format {
     /// As data: polynomials and elements of the field are strings in the canonical spelling of certificates, proved bounds
     /// are decimals in quotes.
     Json,
-    /// As a LaTeX document (audit only).
+    /// As a LaTeX document.
     Latex,
 }
 
@@ -50,9 +50,7 @@ impl Outcome {
         let text = match format {
             Format::Text => text(page).map_err(Failure::of)?,
             Format::Json => json(page).map_err(Failure::of)?,
-            Format::Latex => {
-                page.latex().ok_or_else(|| Failure::new("--format latex is for listings of formulas"))?
-            }
+            Format::Latex => latex(page).map_err(Failure::of)?,
         };
         Ok(Outcome { text, verdict: page.verdict() })
     }

@@ -1,22 +1,20 @@
 //! The outcome of an attempt, as a proof that can be followed line by line.
 
-use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use super::headline::{headline as proved, surface_equation};
 use super::refutation::refutation;
 use super::solution::solution;
 use super::stopped::cut_short;
-use super::undecided::{headline, reason_text};
+use super::undecided::{headline, reason_document};
 use crate::checker::Claim;
+use crate::commands::Verdict;
 use crate::control::Control;
+use crate::document::{Block, Document};
 use crate::exact::Limit;
 use crate::expand::ExpansionError;
 use crate::problem::Problem;
 use crate::prove::Attempt;
-
-/// Characters of a formula on one line.
-pub(super) const LINE: usize = 110;
 
 /// Where statement and certificate were written.
 #[derive(Debug, Clone)]
@@ -27,74 +25,72 @@ pub struct Files {
     pub certificate: PathBuf,
 }
 
+impl Files {
+    /// Both, to be printed.
+    pub(super) fn block(&self) -> Block {
+        Block::Files { statement: Some(self.statement.clone()), certificates: vec![self.certificate.clone()] }
+    }
+}
+
+/// What the checker says, before the files in which it has seen it.
+pub(super) fn verdict_of_checker(document: &mut Document, sentence: &str) {
+    document.heading("Verdict of the independent checker, on the files below");
+    document.paragraph(3, format!("{}. {sentence}", Verdict::Verified));
+    document.gap();
+}
+
 /// `prove-cap prove` for people. `source` is what the statement was called on the command line; `cap` tells that the patch
 /// is bounded by the arcs over the cube face.
 ///
 /// # Errors
 /// Where a coefficient exceeds what the formats allow.
 pub(super) fn describe(
+    verdict: Verdict,
     (name, source): (&str, &str),
     problem: &Problem,
     cap: bool,
     attempt: &Attempt,
     files: Option<&Files>,
     control: &Control,
-) -> Result<String, Limit> {
+) -> Result<Document, Limit> {
     let statement = problem.statement();
-    let mut text = String::new();
+    let mut document = Document::new(statement.ring());
     match attempt {
         Attempt::Undecided(reason) => {
-            let _ = writeln!(text, "UNDECIDED  {name}: {}\n", headline(reason));
+            document.headline(verdict.word(), format!("{name}: {}", headline(reason)));
+            document.gap();
+            document.line(0, statement.title());
             let surface = surface_equation(statement);
-            let surface = if surface.is_empty() { surface } else { format!("Surface: {surface}\n") };
-            let _ = writeln!(text, "{}\n{surface}", statement.title());
-            text += &reason_text(statement, reason)?;
+            if !surface.is_empty() {
+                document.line(0, format!("Surface: {surface}"));
+            }
+            document.gap();
+            document.append(reason_document(statement, reason)?);
         }
         Attempt::Proved { proof, freedom } => {
             let theorem = proof.theorem();
-            let _ = writeln!(text, "{}\n", proved(name, source, theorem));
-            let _ = writeln!(text, "{}\n", statement.title());
+            document.headline(verdict.word(), format!("{name}: {}", proved(source, theorem)));
+            document.gap();
+            document.line(0, statement.title());
+            document.gap();
             let explained = match theorem.claim() {
                 Claim::Impossible(_) => refutation(problem, cap, proof.certificate(), control),
                 _ => Ok(solution(statement, theorem, freedom)),
             };
-            text += &match explained {
-                Ok(explained) => explained,
+            match explained {
+                Ok(explained) => document.append(explained),
                 // The verdict stands by itself.
-                Err(ExpansionError::Interrupted(why)) => format!("{}\n\n", cut_short(&why)),
+                Err(ExpansionError::Interrupted(why)) => {
+                    document.line(0, cut_short(&why));
+                    document.gap();
+                }
                 Err(ExpansionError::Limit(limit)) => return Err(limit),
-            };
+            }
         }
     }
     if let (Attempt::Proved { proof, .. }, Some(files)) = (attempt, files) {
-        let _ = writeln!(
-            text,
-            "Verdict of the independent checker, on the files below\n{}\n",
-            wrapped(&format!("VERIFIED. {}", proof.theorem().sentence()))
-        );
-        let _ = writeln!(text, "Statement    {}", files.statement.display());
-        let _ = writeln!(text, "Certificate  {}", files.certificate.display());
+        verdict_of_checker(&mut document, &proof.theorem().sentence());
+        document.push(files.block());
     }
-    Ok(text)
-}
-
-/// A paragraph, broken at spaces and indented.
-fn wrapped(paragraph: &str) -> String {
-    wrapped_at(paragraph, 3)
-}
-
-/// A paragraph, broken at spaces and indented by so many blanks.
-pub(super) fn wrapped_at(paragraph: &str, indent: usize) -> String {
-    let mut lines: Vec<String> = vec![String::new()];
-    for word in paragraph.split(' ') {
-        let line = lines.last_mut().expect("never empty");
-        if !line.is_empty() && indent + line.chars().count() + word.chars().count() >= LINE + 3 {
-            lines.push(word.to_owned());
-        } else {
-            line.push_str(if line.is_empty() { "" } else { " " });
-            line.push_str(word);
-        }
-    }
-    let margin = " ".repeat(indent);
-    format!("{margin}{}", lines.join(&format!("\n{margin}")))
+    Ok(document)
 }

@@ -1,51 +1,53 @@
 //! `prove-cap audit` for people.
 
-use std::fmt::Write as _;
-
-use super::attempt::{LINE, wrapped_at};
 use super::expansion::superscript_of;
 use super::headline::surface_equation;
 use super::mathematics::Notation;
 use super::stopped::cut_short;
-use crate::audit::{
-    Audit, Change, ClaimVerdict, Correction, Finding, Judgement, Phrase, Piece, Relation, Target, Verdict,
-};
+use crate::audit::{Audit, Change, ClaimVerdict, Correction, Finding, Judgement, Relation, Target, Verdict};
+use crate::commands::{AuditedListing, Source};
 use crate::control::Interrupted;
-use crate::exact::Polynomial;
-use crate::formats::listing::Listing;
-use crate::statement::Statement;
+use crate::document::{Block, Column, Document, Item, Listed, Phrase, Table};
+
+/// Where what stands behind a name begins.
+const NAMED: usize = 14;
 
 /// What a referee wants to read: the verdict, the table, each difference, each claim.
-pub fn describe_audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit) -> String {
+pub(super) fn describe_audit(audited: &AuditedListing) -> Document {
+    let AuditedListing { listing, source: Source { name, statement, .. }, audit } = audited;
     let notation = Notation::new(statement.ring());
-    let mut text = format!("{}\n\n", headline(audit));
+    let mut document = Document::new(statement.ring());
+    document.headline(audited.verdict().word(), headline(audit));
+    document.gap();
     let source = if listing.source.is_empty() { String::new() } else { format!("{} of ", listing.source) };
-    let _ = writeln!(text, "Listing       {source}{}", listing.title);
-    let _ = writeln!(text, "Held against  {name}: {}", statement.title());
+    document.field("Listing", NAMED, format!("{source}{}", listing.title));
+    document.field("Held against", NAMED, format!("{name}: {}", statement.title()));
     let surface = surface_equation(statement);
     if !surface.is_empty() {
-        let _ = writeln!(text, "Surface       {surface}");
+        document.field("Surface", NAMED, surface);
     }
-    text.push('\n');
-    text += &table(&notation, audit);
+    document.gap();
+    listed(&mut document, audit);
     for finding in audit.findings.iter().filter(|finding| !finding.agrees()) {
-        text.push('\n');
-        text += &difference(&notation, finding);
+        document.gap();
+        difference(&mut document, &notation, finding);
     }
     if !audit.claims.is_empty() {
-        text += "\nOther claims\n";
-        for claim in &audit.claims {
-            text += &claim_lines(&notation, claim);
+        document.gap();
+        document.heading("Other claims");
+        for verdict in &audit.claims {
+            document.push(Block::Item(claim(verdict)));
         }
     }
     if let Some(why) = &audit.stopped {
-        let _ = writeln!(text, "\n{}", stopped_text(audit, why));
+        document.gap();
+        document.line(0, stopped_text(audit, why));
     }
-    text
+    document
 }
 
 /// What a stop left undone.
-pub(super) fn stopped_text(audit: &Audit, why: &Interrupted) -> String {
+fn stopped_text(audit: &Audit, why: &Interrupted) -> String {
     let judged = [audit.findings.len(), audit.claims.len()];
     let of = |k: usize, what: &str| match judged[k] == audit.printed[k] {
         true => format!("all {} {what}", judged[k]),
@@ -57,8 +59,8 @@ pub(super) fn stopped_text(audit: &Audit, why: &Interrupted) -> String {
     }
 }
 
-/// `DIFFERS  3 of 16 …`.
-pub(super) fn headline(audit: &Audit) -> String {
+/// `3 of 16 printed coefficients are wrong: …`.
+fn headline(audit: &Audit) -> String {
     let wrong: Vec<&str> = audit.findings.iter().filter(|f| !f.agrees()).map(|f| f.label.as_str()).collect();
     let judged = [audit.findings.len(), audit.claims.len()];
     // "16", or "the first 3 of 16" where the work was stopped.
@@ -93,20 +95,11 @@ pub(super) fn headline(audit: &Audit) -> String {
         Some(why) if audit.verdict() == Verdict::Undecided => format!("; the audit was stopped: {why}"),
         _ => String::new(),
     };
-    format!("{}  {listed}{claims}{stopped}", verdict_word(audit.verdict()))
-}
-
-/// The first word.
-pub(super) fn verdict_word(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Agrees => "AGREES",
-        Verdict::Differs => "DIFFERS",
-        Verdict::Undecided => "UNDECIDED",
-    }
+    format!("{listed}{claims}{stopped}")
 }
 
 /// `u³v²`, `u(1−u)³ v²(1−v)²`, `f[3]`.
-pub(super) fn target_text(target: Target) -> String {
+fn target_text(target: Target) -> String {
     match target {
         Target::Monomial(i, j) => {
             let power = |name: &str, exponent: u32| match exponent {
@@ -123,83 +116,52 @@ pub(super) fn target_text(target: Target) -> String {
     }
 }
 
-fn table(notation: &Notation, audit: &Audit) -> String {
-    let mut text = String::new();
-    let rows: Vec<[String; 3]> = audit
-        .findings
-        .iter()
-        .map(|finding| {
-            let verdict = if finding.agrees() { "AGREES" } else { "DIFFERS" };
-            [finding.label.to_string(), target_text(finding.target), verdict.to_owned()]
-        })
-        .collect();
-    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-    let (first, second) = (width(0), width(1).max(2));
-    for (row, finding) in rows.iter().zip(&audit.findings) {
-        let pad = |text: &str, width: usize| format!("{text}{}", " ".repeat(width - text.chars().count()));
-        let formula = match finding.agrees() {
-            true => notation.shortened(&finding.truth, LINE),
-            false => String::new(),
-        };
-        let line = format!("{}  {}  {:<7}  {formula}", pad(&row[0], first), pad(&row[1], second), row[2]);
-        let _ = writeln!(text, "   {}", line.trim_end());
-    }
+fn listed(document: &mut Document, audit: &Audit) {
+    let rows = audit.findings.iter().map(|finding| Listed {
+        label: finding.label.to_string(),
+        of: target_text(finding.target),
+        agrees: finding.agrees(),
+        truth: finding.truth.clone(),
+    });
+    document.push(Block::Listed(rows.collect()));
     if !audit.unlisted.is_empty() {
         let names: Vec<String> = audit.unlisted.iter().take(12).map(|target| target_text(*target)).collect();
         let more = if audit.unlisted.len() > 12 { ", …" } else { "" };
-        let _ = writeln!(text, "   Not listed, and not zero: {}{more}", names.join(", "));
+        document.line(3, format!("Not listed, and not zero: {}{more}", names.join(", ")));
     }
-    text
 }
 
-fn difference(notation: &Notation, finding: &Finding) -> String {
-    let mut text = String::new();
-    let _ = writeln!(
-        text,
-        "{}, the coefficient of {}, printed in line {}",
-        finding.label,
+fn difference(document: &mut Document, notation: &Notation, finding: &Finding) {
+    document.heading(Phrase::default().label(finding.label.as_str()).and(format!(
+        ", the coefficient of {}, printed in line {}",
         target_text(finding.target),
         finding.place.line
-    );
-    let cell = |polynomial: &Polynomial| notation.polynomial(polynomial);
-    let mut rows: Vec<[String; 4]> =
-        vec![["at".into(), "printed".into(), "true".into(), "true − printed".into()]];
+    )));
+    let mut table = Table::new(3, [Column::left(3); 4]).headed(["at", "printed", "true", "true − printed"]);
     for d in &finding.differences {
-        rows.push([cell(&d.powers), cell(&d.printed), cell(&d.truth), cell(&d.difference)]);
+        let cells = [&d.powers, &d.printed, &d.truth, &d.difference];
+        table.row(cells.map(|polynomial| Phrase::default().formula(polynomial)));
     }
-    let width: [usize; 4] =
-        std::array::from_fn(|k| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0));
-    for row in &rows {
-        let cells = row.iter().zip(width);
-        let padded: Vec<String> = cells
-            .map(|(cell, width)| format!("{cell}{}", " ".repeat(width - cell.chars().count())))
-            .collect();
-        let _ = writeln!(text, "   {}", padded.join("   ").trim_end());
-    }
+    document.push(Block::Table(table));
     for relation in &finding.relations {
-        let _ = writeln!(text, "   {}", phrase_text(notation, &relation_phrase(relation)));
+        document.line(3, relation_phrase(relation));
     }
     for correction in &finding.corrections {
-        let _ = writeln!(text, "   {}:", correction_text(correction));
-        for line in correction.place.to_string().lines() {
-            let _ = writeln!(text, "   {line}");
-        }
+        document.line(3, format!("{}:", correction_text(correction)));
+        document.source(3, correction.place.to_string());
     }
     if finding.corrections.is_empty() && !finding.searched {
-        text += "   no explanation was found within the work that is spent on one\n";
+        document.line(3, "no explanation was found within the work that is spent on one");
     }
     if finding.corrections.is_empty() {
-        for d in &finding.differences {
-            if let Some(line) = term_text(notation, d) {
-                let _ = writeln!(text, "   {line}");
-            }
+        for line in finding.differences.iter().filter_map(|d| term_text(notation, d)) {
+            document.line(3, line);
         }
     }
-    text
 }
 
 /// What can be said of a power product that no single change explains.
-pub(super) fn term_text(notation: &Notation, d: &crate::audit::Difference) -> Option<String> {
+fn term_text(notation: &Notation, d: &crate::audit::Difference) -> Option<String> {
     let powers = notation.polynomial(&d.powers);
     match (d.printed.is_zero(), d.truth.is_zero()) {
         (true, _) => Some(format!("the term in {powers} is missing")),
@@ -209,7 +171,7 @@ pub(super) fn term_text(notation: &Notation, d: &crate::audit::Difference) -> Op
 }
 
 /// A relation in words.
-pub(super) fn relation_phrase(relation: &Relation) -> Phrase {
+fn relation_phrase(relation: &Relation) -> Phrase {
     match relation {
         Relation::Factor(factor) => {
             Phrase::words("what is printed is the true coefficient times ").formula(factor)
@@ -222,7 +184,7 @@ pub(super) fn relation_phrase(relation: &Relation) -> Phrase {
 }
 
 /// A correction in words.
-pub(super) fn correction_text(correction: &Correction) -> String {
+fn correction_text(correction: &Correction) -> String {
     let root = |n: &str| format!("√{n}");
     match &correction.change {
         Change::Sign { minus } => {
@@ -248,38 +210,24 @@ pub(super) fn correction_text(correction: &Correction) -> String {
     }
 }
 
-fn claim_lines(notation: &Notation, verdict: &ClaimVerdict) -> String {
-    let judgement = judgement_word(verdict.judgement);
-    let place = &verdict.claim.place;
-    let mut text = format!("   {judgement:<11}  {place:<14} {}\n", verdict.claim.says);
-    let indent = 33;
-    for phrase in &verdict.evidence {
-        text += &wrapped_at(&phrase_text(notation, phrase), indent);
-        text.push('\n');
-    }
+fn claim(verdict: &ClaimVerdict) -> Item {
+    let mut evidence = verdict.evidence.clone();
     if !verdict.claim.remark.is_empty() {
-        text += &wrapped_at(&format!("(remark: {})", verdict.claim.remark), indent);
-        text.push('\n');
+        evidence.push(format!("(remark: {})", verdict.claim.remark).into());
     }
-    text
+    Item {
+        mark: judgement_word(verdict.judgement),
+        place: verdict.claim.place.clone(),
+        says: verdict.claim.says.clone(),
+        evidence,
+    }
 }
 
 /// The judgement as it is printed.
-pub(super) fn judgement_word(judgement: Judgement) -> &'static str {
+fn judgement_word(judgement: Judgement) -> &'static str {
     match judgement {
         Judgement::Holds => "HOLDS",
         Judgement::Fails => "FAILS",
         Judgement::NotChecked => "NOT CHECKED",
     }
-}
-
-/// A sentence for a terminal.
-pub(super) fn phrase_text(notation: &Notation, phrase: &Phrase) -> String {
-    let piece = |piece: &Piece| match piece {
-        Piece::Words(words) => words.clone(),
-        Piece::Formula(polynomial) => notation.polynomial(polynomial),
-        Piece::Factor(polynomial) => notation.factor(polynomial),
-        Piece::Label(label) => label.clone(),
-    };
-    phrase.0.iter().map(piece).collect()
 }

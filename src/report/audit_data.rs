@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use super::audit::phrase_text;
 use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
 use super::stopped::stopped_by;
+use super::text::phrase_text;
 use crate::audit::{Audit, Change, Correction, Finding, Judgement, Relation, Target};
 use crate::exact::{Polynomial, Ring};
 use crate::formats::listing::Listing;

@@ -1,13 +1,11 @@
 //! Enclosures, approximations and barriers, for people and as data.
 
-use std::fmt::Write as _;
-
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 use serde::Serialize;
 
-use super::attempt::{Files, wrapped_at};
+use super::attempt::{Files, verdict_of_checker};
 use super::json::{CONVENTION, StatementData, ValueData, statement as statement_data, values_data};
 use super::mathematics::Notation;
 use super::rounding::{Towards, rounded};
@@ -15,6 +13,7 @@ use crate::approximation::{Barrier, Enclosure, EndVerdict, Finding};
 use crate::certificate::{Bounds, End, Quantity, decimal_value, spell_decimal};
 use crate::checker::Theorem;
 use crate::commands::Gap;
+use crate::document::{Block, Column, Document, Table};
 use crate::exact::{Arithmetic, Limit, Polynomial, Work};
 use crate::statement::{HomogeneousPoint, Statement, Subject};
 
@@ -51,15 +50,22 @@ pub fn enclosure_text(bounds: &Bounds, degree: u32) -> String {
     format!("{low} ≤ {} ≤ {high}", symbol(bounds.quantity, degree))
 }
 
+/// Characters of the name of what is bounded, at least.
+const NAMED: usize = 14;
+
 /// Everything below the verdict.
-pub fn enclosure_details(statement: &Statement, enclosure: &Enclosure, degree: u32) -> String {
+pub(super) fn enclosure_details(
+    document: &mut Document,
+    statement: &Statement,
+    enclosure: &Enclosure,
+    degree: u32,
+) {
     let bounds = &enclosure.bounds;
-    let mut text = String::new();
     for (name, value) in statement.unknowns().iter().zip(&bounds.values) {
-        let _ = writeln!(text, "   {name} = {}", value_text(statement, value));
+        document.line(3, format!("{name} = {}", value_text(statement, value)));
     }
     if !bounds.values.is_empty() {
-        text.push('\n');
+        document.gap();
     }
     let symbol = symbol(bounds.quantity, degree);
     let [low_best, high_best] = enclosure.best;
@@ -68,41 +74,43 @@ pub fn enclosure_details(statement: &Statement, enclosure: &Enclosure, degree: u
         ("least", &bounds.lower, 1, low_attained, low_best),
         ("greatest", &bounds.upper, -1, high_attained, high_best),
     ];
+    let mut table = Table::new(3, [Column::left(0).at_least(NAMED), Column::left(1)]);
     for (name, end, inwards, attained, best) in ends {
         let [outer, inner] =
             [end.bound.clone(), &end.bound + inwards].map(|units| decimal(&units, bounds.places));
         let (low, high) = if inwards > 0 { (&outer, &inner) } else { (&inner, &outer) };
-        let name = format!("{name} {symbol}");
         let [exact_u, exact_v] = &end.at;
         let [u, v] = end.at.each_ref().map(parameter);
-        let _ = match (attained, best) {
-            (true, _) => writeln!(text, "   {name:<14} {outer}, at (u, v) = ({exact_u}, {exact_v})"),
-            (false, true) => {
-                writeln!(text, "   {name:<14} between {low} and {high}, near (u, v) = ({u}, {v})")
+        let bounded = match (attained, best) {
+            (true, _) => format!("{outer}, at (u, v) = ({exact_u}, {exact_v})"),
+            (false, true) => format!("between {low} and {high}, near (u, v) = ({u}, {v})"),
+            (false, false) => {
+                format!("between {low} and {high}; it is {inner} at (u, v) = ({exact_u}, {exact_v})")
             }
-            (false, false) => writeln!(
-                text,
-                "   {name:<14} between {low} and {high}; it is {inner} at (u, v) = ({exact_u}, {exact_v})"
-            ),
         };
-    }
-    if bounds.quantity == Quantity::Ratio {
-        let _ = writeln!(text, "   {}", no_distance(&symbol));
+        table.row([format!("{name} {symbol}"), bounded]);
     }
     if bounds.quantity == Quantity::Radius {
         let [low, high] = squares(bounds);
-        let _ = writeln!(text, "   {:<14} between {low} and {high}", "r² − 1");
+        table.row(["r² − 1".to_owned(), format!("between {low} and {high}")]);
+    }
+    document.push(Block::Table(table));
+    if bounds.quantity == Quantity::Ratio {
+        document.line(3, no_distance(&symbol));
     }
     let count = |tree: &[bool]| tree.iter().filter(|halved| !**halved).count();
-    let _ = writeln!(
-        text,
-        "\nProof\n   Boxes of the unit square on which the Bernstein coefficients have one sign:\n   \
-         {} for W > 0, {} for the lower bound, {} for the upper one.",
-        count(&bounds.denominator),
-        count(&bounds.lower.tree),
-        count(&bounds.upper.tree)
+    document.gap();
+    document.heading("Proof");
+    document.line(
+        3,
+        format!(
+            "Boxes of the unit square on which the Bernstein coefficients have one sign:\n\
+             {} for W > 0, {} for the lower bound, {} for the upper one.",
+            count(&bounds.denominator),
+            count(&bounds.lower.tree),
+            count(&bounds.upper.tree)
+        ),
     );
-    text
 }
 
 /// What the size of F/Wᵉ does not tell.
@@ -131,37 +139,26 @@ fn squares(bounds: &Bounds) -> [String; 2] {
 }
 
 /// The judgement of a printed interval.
-pub fn verdict_text(verdicts: &[EndVerdict], symbol: &str) -> String {
-    let mut text = String::new();
+pub(super) fn judged(document: &mut Document, verdicts: &[EndVerdict], symbol: &str) {
     for EndVerdict { printed, relation, finding } in verdicts {
         let claim = format!("{symbol} {relation} {}", printed.replace('-', "−"));
-        let _ = match finding {
-            Finding::Bound => writeln!(text, "   {claim}   holds on the whole patch"),
-            Finding::Rounded => writeln!(text, "   {claim}   holds on the whole patch to the digits printed"),
+        let found = match finding {
+            Finding::Bound => "holds on the whole patch".to_owned(),
+            Finding::Rounded => "holds on the whole patch to the digits printed".to_owned(),
             Finding::Fails { at: [u, v], value } => {
-                writeln!(
-                    text,
-                    "   {claim}   FAILS: at (u, v) = ({u}, {v}) {symbol} = {}…",
-                    value.replace('-', "−")
-                )
+                format!("FAILS: at (u, v) = ({u}, {v}) {symbol} = {}…", value.replace('-', "−"))
             }
-            Finding::Open => writeln!(
-                text,
-                "   {claim}   open: equal to all places computed; a smaller --tolerance may tell"
-            ),
+            Finding::Open => "open: equal to all places computed; a smaller --tolerance may tell".to_owned(),
         };
+        document.line(3, format!("{claim}   {found}"));
     }
-    text
 }
 
 /// What the checker says of the files.
-pub fn checked_text(theorem: &Theorem, files: &Files) -> String {
-    format!(
-        "\nVerdict of the independent checker, on the files below\n{}\n\nStatement    {}\nCertificate  {}\n",
-        wrapped_at(&format!("VERIFIED. {}", with_true_minus(&theorem.sentence())), 3),
-        files.statement.display(),
-        files.certificate.display()
-    )
+pub(super) fn checked(document: &mut Document, theorem: &Theorem, files: &Files) {
+    document.gap();
+    verdict_of_checker(document, &with_true_minus(&theorem.sentence()));
+    document.push(files.block());
 }
 
 /// A minus sign before a digit is a true one, a hyphen stays what it is.
@@ -318,15 +315,19 @@ impl EndVerdictData {
 }
 
 /// That no values do better, and how much those that were found may be worse than the best: both rounded so that it stays true.
-pub fn barrier_text(barrier: &Barrier, gap: &Gap) -> String {
-    format!(
-        "\nNo values do better than {}: proved on {} boxes of all values of the unknowns with W > 0.\n\
-         Those above reach {}, which is at most {} of it more.\n",
-        rounded(&gap.unreached, 7, Towards::Below),
-        barrier.boxes,
-        rounded(&gap.reached, 7, Towards::Above),
-        rounded(&gap.relative(), 1, Towards::Above)
-    )
+pub(super) fn none_better(document: &mut Document, barrier: &Barrier, gap: &Gap) {
+    document.gap();
+    document.line(
+        0,
+        format!(
+            "No values do better than {}: proved on {} boxes of all values of the unknowns with W > 0.\n\
+             Those above reach {}, which is at most {} of it more.",
+            rounded(&gap.unreached, 7, Towards::Below),
+            barrier.boxes,
+            rounded(&gap.reached, 7, Towards::Above),
+            rounded(&gap.relative(), 1, Towards::Above)
+        ),
+    );
 }
 
 /// What is measured: `r − 1`, or `F/W²`.

@@ -1,16 +1,16 @@
 //! Exact patches and tilings, for people and as data.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
-use super::attempt::{Files, wrapped_at};
-use super::degrees::{ON_PAPER, argument_text};
+use super::attempt::{Files, verdict_of_checker};
+use super::degrees::{ON_PAPER, argument};
 use super::mathematics::Notation;
 use crate::algebra::{FieldElement, Polynomial as Computed, polynomial_to_exact};
 use crate::audit::decimal;
 use crate::checker::{Claim, Covered, Theorem};
-use crate::commands::{Nonexistent, Tiled, Verdict};
-use crate::construction::{Construction, How};
+use crate::commands::{Constructed, Nonexistent, Shape, Tiled, Verdict};
+use crate::construction::How;
+use crate::document::{Block, Column, Document, Table};
 use crate::exact::{Limit, Radicands, Ring};
 use crate::geometry::{Point, Polygon, Split};
 
@@ -52,42 +52,42 @@ impl Numbers {
 }
 
 /// (x, y, z) of the corners.
-pub(super) fn corners_text(polygon: &Polygon) -> String {
+pub(super) fn corners(document: &mut Document, polygon: &Polygon) {
+    document.heading("Corners, in the order of the boundary");
     let numbers = Numbers::new(polygon);
-    let mut text = String::new();
     for (number, corner) in (1..).zip(polygon.corners()) {
         let [x, y, z] = corner.each_ref().map(|x| numbers.exact(x));
-        let _ = writeln!(text, "   {number}  ({x}, {y}, {z})");
+        document.line(3, format!("{number}  ({x}, {y}, {z})"));
     }
-    text
 }
 
 /// `construct`.
 ///
 /// # Errors
 /// Where a number exceeds what the formats allow.
-pub(super) fn constructed_text(
-    name: &str,
-    polygon: &Polygon,
-    made: &Construction,
-    files: &[Files],
-) -> Result<String, Limit> {
+pub(super) fn constructed(answer: &Constructed, files: &[Files]) -> Result<Document, Limit> {
+    let Constructed { shape: Shape { name, polygon, .. }, made } = answer;
     let (m, n) = (made.net.len() - 1, made.net[0].len() - 1);
-    let word = Verdict::Exact;
-    let mut text = String::new();
-    let _ = match &made.cover {
-        Ok(proof) => writeln!(
-            text,
-            "{word}  {name}: a patch of bidegree ({m},{n}) on the unit sphere covers the polygon{}\n",
+    let mut document = Document::of_words();
+    let sentence = match &made.cover {
+        Ok(proof) => format!(
+            "{name}: a patch of bidegree ({m},{n}) on the unit sphere covers the polygon{}",
             how_covered(proof.theorem())
         ),
-        Err(why) => writeln!(
-            text,
-            "{word}  {name}: a patch of bidegree ({m},{n}) lies on the unit sphere; that it covers the polygon is not shown\n       {why}\n"
+        Err(_) => format!(
+            "{name}: a patch of bidegree ({m},{n}) lies on the unit sphere; that it covers the polygon is not shown"
         ),
     };
-    let _ = writeln!(text, "Corners, in the order of the boundary\n{}", corners_text(polygon));
-    let _ = writeln!(text, "Construction\n{}\n", wrapped_at(&how_text(polygon, &made.how), 3));
+    document.headline(Verdict::Exact.word(), sentence);
+    if let Err(why) = &made.cover {
+        document.line(7, why.to_string());
+    }
+    document.gap();
+    corners(&mut document, polygon);
+    document.gap();
+    document.heading("Construction");
+    document.paragraph(3, how_text(polygon, &made.how));
+    document.gap();
     let numbers = Numbers::new(polygon);
     let cartesian = |[x, y, z, w]: &Point| -> Point {
         let inverse = w.inverse();
@@ -97,25 +97,22 @@ pub(super) fn constructed_text(
     };
     let infinite = made.net.iter().flatten().any(|point| point[3].is_zero());
     if infinite {
-        text += "Some weights are 0: there is no Cartesian net.\n\n";
+        document.line(0, "Some weights are 0: there is no Cartesian net.");
     } else {
-        text += "Control points, Cartesian, with weights; rows i along u, points j along v\n";
-        text += &net_text(&numbers, &made.net, ["x", "y", "z", "w"], cartesian)?;
-        text.push('\n');
+        document.heading("Control points, Cartesian, with weights; rows i along u, points j along v");
+        document.push(net_table(&numbers, &made.net, ["x", "y", "z", "w"], cartesian)?);
     }
-    text += "Control points, homogeneous, premultiplied by their weights\n";
-    text += &net_text(&numbers, &made.net, ["X", "Y", "Z", "W"], Clone::clone)?;
-    text.push('\n');
-    text += "Verdict of the independent checker, on the files below\n";
+    document.gap();
+    document.heading("Control points, homogeneous, premultiplied by their weights");
+    document.push(net_table(&numbers, &made.net, ["X", "Y", "Z", "W"], Clone::clone)?);
+    document.gap();
     let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
-    let _ = writeln!(text, "{}\n", wrapped_at(&format!("VERIFIED. {}", theorem.sentence()), 3));
-    for (number, files) in files.iter().enumerate() {
-        if number == 0 {
-            let _ = writeln!(text, "Statement    {}", files.statement.display());
-        }
-        let _ = writeln!(text, "Certificate  {}", files.certificate.display());
-    }
-    Ok(text)
+    verdict_of_checker(&mut document, &theorem.sentence());
+    document.push(Block::Files {
+        statement: files.first().map(|files| files.statement.clone()),
+        certificates: files.iter().map(|files| files.certificate.clone()).collect(),
+    });
+    Ok(document)
 }
 
 /// `, once and regularly`, as far as the checker has verified it: at an edge that is a point no map is regular.
@@ -128,35 +125,26 @@ pub(super) fn how_covered(theorem: &Theorem) -> String {
     }
 }
 
-/// How many characters stand before the point.
-fn whole(decimal: &str) -> usize {
-    decimal.chars().take_while(|c| *c != '.').count()
-}
-
-fn net_text(
+/// Each coordinate, exactly and as a decimal.
+fn net_table(
     numbers: &Numbers,
     net: &[Vec<Point>],
     names: [&str; 4],
     seen: impl Fn(&Point) -> Point,
-) -> Result<String, Limit> {
-    let mut lines: Vec<(String, &str, String, String)> = Vec::new();
+) -> Result<Block, Limit> {
+    let place = Column::left(0).at_least(7);
+    let columns = [place, Column::left(0), Column::left(1), Column::left(1), Column::point(3)];
+    let mut table = Table::new(3, columns);
     for (i, row) in net.iter().enumerate() {
         for (j, point) in row.iter().enumerate() {
             for (k, value) in seen(point).iter().enumerate() {
                 let place = if k == 0 { format!("({i},{j})") } else { String::new() };
-                lines.push((place, names[k], numbers.exact(value), numbers.decimal(value)?));
+                let (name, sign) = (names[k].to_owned(), "=".to_owned());
+                table.row([place, name, sign, numbers.exact(value), numbers.decimal(value)?]);
             }
         }
     }
-    let width = lines.iter().map(|(.., exact, _)| exact.chars().count()).max().unwrap_or(0);
-    let before = lines.iter().map(|(.., decimal)| whole(decimal)).max().unwrap_or(0);
-    let mut text = String::new();
-    for (place, name, exact, decimal) in &lines {
-        let pad = width - exact.chars().count();
-        let shift = before - whole(decimal);
-        let _ = writeln!(text, "   {place:<7}{name} = {exact}{:pad$}   {:shift$}{decimal}", "", "");
-    }
-    Ok(text)
+    Ok(Block::Table(table))
 }
 
 fn how_text(polygon: &Polygon, how: &How) -> String {
@@ -203,30 +191,27 @@ pub(super) fn impossible_headline((m, n): (u32, u32)) -> String {
 }
 
 /// `construct` where there is no patch.
-pub(super) fn impossible_text(none: &Nonexistent) -> String {
-    format!(
-        "{}  {}: {}\n\n{}\n\n{}\n",
-        Verdict::Nonexistent,
-        none.name,
-        impossible_headline(none.bidegree),
-        argument_text(&none.polygon, none.bidegree, none.cell),
-        wrapped_at(ON_PAPER, 3)
-    )
+pub(super) fn impossible(none: &Nonexistent) -> Document {
+    let mut document = Document::of_words();
+    let sentence = format!("{}: {}", none.name, impossible_headline(none.bidegree));
+    document.headline(Verdict::Nonexistent.word(), sentence);
+    document.gap();
+    argument(&mut document, &none.polygon, none.bidegree, none.cell);
+    document.gap();
+    document.paragraph(3, ON_PAPER);
+    document
 }
 
 /// `construct --tiling`.
-pub(super) fn tiled_text(answer: &Tiled, directory: &Path) -> String {
-    let Tiled { shape, bidegree: (m, n), tiled } = answer;
-    let name = &shape.name;
+pub(super) fn tiling(answer: &Tiled, directory: &Path) -> Document {
+    let Tiled { shape: Shape { name, .. }, bidegree: (m, n), tiled } = answer;
     let meets = tiled.seams.iter().filter(|seam| seam.meets).count();
     let covers = tiled.faces.iter().filter(|face| face.cover.is_ok()).count();
     let count = tiled.faces.len();
-    let word = answer.verdict();
-    let verdict = match answer.whole() {
-        true => format!("{word}  {name}: {count} patches of bidegree ({m},{n}) cover the unit sphere"),
-        false => format!(
-            "{word}  {name}: that {count} patches of bidegree ({m},{n}) cover the unit sphere is not shown"
-        ),
+    let patches = format!("{count} patches of bidegree ({m},{n}) cover the unit sphere");
+    let sentence = match answer.whole() {
+        true => format!("{name}: {patches}"),
+        false => format!("{name}: that {patches} is not shown"),
     };
     let degenerate =
         |theorem: &Theorem| matches!(theorem.claim(), Claim::Cover(Covered { point: Some(_), .. }));
@@ -236,13 +221,24 @@ pub(super) fn tiled_text(answer: &Tiled, directory: &Path) -> String {
         .filter_map(|face| face.cover.as_ref().ok())
         .any(|proof| degenerate(proof.theorem()));
     let regularly = if points { "regularly but for an edge that is one corner" } else { "regularly" };
-    format!(
-        "{verdict}\n\n   \
-         {covers} of {count} cover their polygons, once and {regularly} (verified by the independent checker)\n   \
-         {meets} of {} edges are met by both neighbours point for point, at the same parameter or the reversed one\n   \
-         (computed exactly: all 2×2 minors of the two curves' coordinates vanish identically)\n\n\
-         Statements and certificates  {}\n",
-        tiled.seams.len(),
-        directory.display()
-    )
+    let mut document = Document::of_words();
+    document.headline(answer.verdict().word(), sentence);
+    document.gap();
+    document.line(
+        3,
+        format!(
+            "{covers} of {count} cover their polygons, once and {regularly} (verified by the independent checker)"
+        ),
+    );
+    document.line(
+        3,
+        format!(
+            "{meets} of {} edges are met by both neighbours point for point, at the same parameter or the reversed one\n\
+             (computed exactly: all 2×2 minors of the two curves' coordinates vanish identically)",
+            tiled.seams.len()
+        ),
+    );
+    document.gap();
+    document.field("Statements and certificates", 29, directory.display().to_string());
+    document
 }

@@ -1,13 +1,12 @@
 //! The table of bidegrees, and the argument for each of its cells.
 
-use std::fmt::Write as _;
-
 use serde::Serialize;
 
-use super::attempt::{Files, wrapped_at};
-use super::construction::{Numbers, corners_text, how_covered};
+use super::attempt::Files;
+use super::construction::{Numbers, corners, how_covered};
 use crate::commands::{Degrees, Shape, Verdict};
 use crate::construction::{Cell, Phase, classify, triple_products};
+use crate::document::{Block, Column, Document, Table};
 use crate::exact::Limit;
 use crate::geometry::{Complex, Polygon};
 
@@ -16,36 +15,24 @@ pub(super) const ON_PAPER: &str = "The lemmas, with their hypotheses and proofs,
      checked.";
 
 /// `degrees`.
-pub(super) fn degrees_text(degrees: &Degrees, closing: Option<&Files>, nets: &[Vec<Files>]) -> String {
+pub(super) fn classified(degrees: &Degrees, closing: Option<&Files>, nets: &[Vec<Files>]) -> Document {
     let Degrees { shape: Shape { name, polygon, .. }, phase, up_to, .. } = degrees;
     let (phase, up_to) = (*phase, *up_to);
-    let mut text = String::new();
+    let mut document = Document::of_words();
     let condition = match phase {
         Phase::Open => "min(m,n) ≥ 2 and max(m,n) ≥ 4",
         Phase::Reversed => "min(m,n) ≥ 2 and max(m,n) ≥ 4; from (2,2) on with an edge the longer way round",
         Phase::None | Phase::Absorbed => "min(m,n) ≥ 2",
     };
-    let _ = writeln!(
-        text,
-        "{}  {name}: on the unit sphere bidegree (m,n) is exact if and only if {condition}\n",
-        Verdict::Classified
-    );
-    let _ = writeln!(text, "Corners, in the order of the boundary\n{}", corners_text(polygon));
-    text += &holonomy_text(polygon);
-    text.push('\n');
-    let _ = write!(text, "       n");
-    for n in 1..=up_to {
-        let _ = write!(text, "{n:>4}");
-    }
-    text += "\n   m\n";
-    for m in 1..=up_to {
-        let _ = write!(text, "{m:>4}    ");
-        for n in 1..=up_to {
-            let _ = write!(text, "{:>4}", symbol(classify(phase, (m, n)), (m, n)));
-        }
-        text.push('\n');
-    }
-    text.push('\n');
+    let sentence = format!("{name}: on the unit sphere bidegree (m,n) is exact if and only if {condition}");
+    document.headline(Verdict::Classified.word(), sentence);
+    document.gap();
+    corners(&mut document, polygon);
+    document.gap();
+    holonomy(&mut document, 0, polygon);
+    document.gap();
+    document.push(Block::Table(cells(phase, up_to)));
+    document.gap();
     let all: Vec<(u32, u32)> = (1..=up_to).flat_map(|m| (1..=up_to).map(move |n| (m, n))).collect();
     for (mark, meaning) in [
         ("·", "impossible: no surface (parity)"),
@@ -55,32 +42,45 @@ pub(super) fn degrees_text(degrees: &Degrees, closing: Option<&Files>, nets: &[V
         ("e", "exact: a net above or to the left of it, with its degrees raised"),
     ] {
         if all.iter().any(|at| symbol(classify(phase, *at), *at) == mark) {
-            let _ = writeln!(text, "   {mark}  {meaning}");
+            document.line(3, format!("{mark}  {meaning}"));
         }
     }
-    text += "\nThe argument for a cell: --explain M N. The lemmas, with their hypotheses and proofs, are in proofs/STRUCTURE.md:\n\
-             mathematics on paper. The independent checker has verified the files that are named here.\n\n";
+    document.gap();
+    document.line(
+        0,
+        "The argument for a cell: --explain M N. The lemmas, with their hypotheses and proofs, are in proofs/STRUCTURE.md:\n\
+         mathematics on paper. The independent checker has verified the files that are named here.",
+    );
+    document.gap();
+    let verified = Verdict::Verified;
     if let Some(files) = closing {
-        let _ = writeln!(
-            text,
-            "   ×        the closing condition has no solution: VERIFIED  {}",
-            files.certificate.display()
-        );
+        let file = files.certificate.display();
+        document.line(3, format!("×        the closing condition has no solution: {verified}  {file}"));
     }
     for (((m, n), made), files) in degrees.nets.iter().zip(nets) {
         let theorem = made.cover.as_ref().unwrap_or(&made.exact).theorem();
         let last = files.last().map_or_else(String::new, |files| files.certificate.display().to_string());
-        let _ = writeln!(
-            text,
-            "   {} ({m},{n})  {}: VERIFIED  {last}",
-            symbol(classify(phase, (*m, *n)), (*m, *n)),
-            match theorem.kind() {
-                "cover" => format!("covers the polygon{}", how_covered(theorem)),
-                _ => "lies on the sphere".to_owned(),
-            }
-        );
+        let mark = symbol(classify(phase, (*m, *n)), (*m, *n));
+        let shown = match theorem.kind() {
+            "cover" => format!("covers the polygon{}", how_covered(theorem)),
+            _ => "lies on the sphere".to_owned(),
+        };
+        document.line(3, format!("{mark} ({m},{n})  {shown}: {verified}  {last}"));
     }
-    text
+    document
+}
+
+/// A mark for each bidegree, m downwards and n to the right.
+fn cells(phase: Phase, up_to: u32) -> Table {
+    let columns = vec![Column::right(0).at_least(4); up_to as usize + 2];
+    let numbers = (1..=up_to).map(|n| n.to_string());
+    let mut table = Table::new(0, columns).headed([String::new(), "n".to_owned()].into_iter().chain(numbers));
+    table.row(["m"]);
+    for m in 1..=up_to {
+        let marks = (1..=up_to).map(|n| symbol(classify(phase, (m, n)), (m, n)).to_owned());
+        table.row([m.to_string(), String::new()].into_iter().chain(marks));
+    }
+    table
 }
 
 fn symbol(cell: Cell, at: (u32, u32)) -> &'static str {
@@ -94,29 +94,30 @@ fn symbol(cell: Cell, at: (u32, u32)) -> &'static str {
 }
 
 /// Z and its imaginary part.
-fn holonomy_text(polygon: &Polygon) -> String {
+fn holonomy(document: &mut Document, indent: usize, polygon: &Polygon) {
     let numbers = Numbers::new(polygon);
-    let mut text = String::new();
     if polygon.is_triangle() {
-        return "A triangle: the edge that is a point takes up any phase.\n".to_owned();
+        document.line(indent, "A triangle: the edge that is a point takes up any phase.");
+        return;
     }
     let (products, sum) = triple_products(polygon);
-    let _ = writeln!(text, "Triple products [123] + [234] + [341] + [412], a positive multiple of Im Z");
+    document.line(indent, "Triple products [123] + [234] + [341] + [412], a positive multiple of Im Z");
     let spelled: Vec<String> = products.iter().map(|product| numbers.factor(product)).collect();
-    let _ = writeln!(text, "   {} = {}", spelled.join(" + "), numbers.exact(&sum));
+    document.line(indent + 3, format!("{} = {}", spelled.join(" + "), numbers.exact(&sum)));
     if let Some(Complex { re, im }) = polygon.holonomy().direction() {
-        let _ = writeln!(
-            text,
-            "   Z/|Z| = {} + i·{}, whose argument is half the solid angle",
-            numbers.exact(&re),
-            numbers.factor(&im)
+        document.line(
+            indent + 3,
+            format!(
+                "Z/|Z| = {} + i·{}, whose argument is half the solid angle",
+                numbers.exact(&re),
+                numbers.factor(&im)
+            ),
         );
     }
-    text
 }
 
 /// `degrees --explain M N`.
-pub(super) fn explain(name: &str, polygon: &Polygon, bidegree: (u32, u32)) -> String {
+pub(super) fn explain(name: &str, polygon: &Polygon, bidegree: (u32, u32)) -> Document {
     let cell = classify(Phase::of(polygon), bidegree);
     let (m, n) = bidegree;
     let verdict = match cell {
@@ -124,12 +125,14 @@ pub(super) fn explain(name: &str, polygon: &Polygon, bidegree: (u32, u32)) -> St
         Cell::LongerWay => "no exact patch with all edges the shorter arcs",
         Cell::Exact(_) => "exact patches",
     };
-    format!(
-        "{}  {name}: on the unit sphere bidegree ({m},{n}) has {verdict}\n\n{}\n\n{}\n",
-        Verdict::Classified,
-        argument_text(polygon, bidegree, cell),
-        wrapped_at(ON_PAPER, 3)
-    )
+    let mut document = Document::of_words();
+    let sentence = format!("{name}: on the unit sphere bidegree ({m},{n}) has {verdict}");
+    document.headline(Verdict::Classified.word(), sentence);
+    document.gap();
+    argument(&mut document, polygon, bidegree, cell);
+    document.gap();
+    document.paragraph(3, ON_PAPER);
+    document
 }
 
 /// A part of an argument.
@@ -141,14 +144,16 @@ enum Part {
 }
 
 /// The argument for one cell, for people.
-pub(super) fn argument_text(polygon: &Polygon, bidegree: (u32, u32), cell: Cell) -> String {
-    let indented =
-        |text: String| text.lines().map(|line| format!("   {line}")).collect::<Vec<_>>().join("\n");
-    let parts = argument(polygon, bidegree, cell).into_iter().map(|part| match part {
-        Part::Words(words) => wrapped_at(&words, 3),
-        Part::Holonomy => indented(holonomy_text(polygon)),
-    });
-    parts.collect::<Vec<_>>().join("\n\n")
+pub(super) fn argument(document: &mut Document, polygon: &Polygon, bidegree: (u32, u32), cell: Cell) {
+    for (k, part) in parts(polygon, bidegree, cell).into_iter().enumerate() {
+        if k > 0 {
+            document.gap();
+        }
+        match part {
+            Part::Words(words) => document.paragraph(3, words),
+            Part::Holonomy => holonomy(document, 3, polygon),
+        }
+    }
 }
 
 /// The same as data.
@@ -177,7 +182,7 @@ struct HolonomyData {
 impl ArgumentData {
     pub(super) fn of(polygon: &Polygon, bidegree: (u32, u32), cell: Cell) -> Result<Self, Limit> {
         let (mut paragraphs, mut holonomy) = (Vec::new(), None);
-        for part in argument(polygon, bidegree, cell) {
+        for part in parts(polygon, bidegree, cell) {
             match part {
                 Part::Words(words) => paragraphs.push(words),
                 Part::Holonomy => holonomy = Some(HolonomyData::of(polygon)?),
@@ -210,7 +215,7 @@ impl HolonomyData {
 }
 
 /// The argument for one cell.
-fn argument(polygon: &Polygon, (m, n): (u32, u32), cell: Cell) -> Vec<Part> {
+fn parts(polygon: &Polygon, (m, n): (u32, u32), cell: Cell) -> Vec<Part> {
     let parity = "Parity. Let X, Y, Z, W be without common factor and X² + Y² + Z² = W². In C[u,v], which has unique factorisation, \
          (X + iY)(X − iY) = (W + Z)(W − Z) makes W + Z = 2|α|², W − Z = 2|β|², X + iY = 2ᾱβ up to one sign, and the \
          degrees of W in u and in v are twice those of the spinor (α, β). A common factor moves no point; without it the degrees are even.";

@@ -1,26 +1,29 @@
 //! `prove-cap expand` for people.
 
-use std::fmt::Write as _;
-
 use super::mathematics::{Notation, superscript};
+use crate::document::{Block, Document, Equations, Phrase};
 use crate::expand::{Basis, Coefficient, grouped};
 use crate::statement::{Statement, Subject};
 
 /// `prove-cap expand` for people: a listing in plain notation, with comments, that `prove-cap audit` reads.
-pub(super) fn expansion_text(
+pub(super) fn expansion(
     statement: &Statement,
     basis: Basis,
     coefficients: Option<&[Coefficient]>,
-) -> String {
-    let notation = Notation::new(statement.ring());
-    let mut text = format!("# {}\n\n", statement.title());
+) -> Document {
+    let mut document = Document::new(statement.ring());
+    document.push(Block::Comment(statement.title().into()));
+    document.gap();
+    let formula = |polynomial| Phrase::default().formula(polynomial);
     let Some(list) = coefficients else {
         if let Subject::System(polynomials) = statement.subject() {
-            for (number, polynomial) in (1..).zip(polynomials) {
-                let _ = writeln!(text, "f[{number}] = {}", notation.polynomial(polynomial));
-            }
+            let rows = (1..).zip(polynomials).map(|(number, polynomial)| {
+                (Phrase::default().label(format!("f[{number}]")), formula(polynomial), String::new())
+            });
+            let rows = rows.collect();
+            document.push(Block::Equations(Equations { indent: 0, width: 0, rows }));
         }
-        return text;
+        return document;
     };
     let (last_r, last_s) = list.last().map_or((0, 0), |last| last.index);
     let (r, s) = match basis {
@@ -30,27 +33,24 @@ pub(super) fn expansion_text(
         Basis::Monomial => ("uⁱ".to_owned(), "vʲ".to_owned()),
     };
     let letter = if basis == Basis::Bernstein { "c[r,s]" } else { "a[i,j]" };
-    let surface = surface_text(statement);
-    let _ = writeln!(text, "# F = {surface} = Σ {letter} {r} {s}");
+    let sum = format!("F = {} = Σ {letter} {r} {s}", surface_text(statement));
+    document.push(Block::Comment(sum.into()));
     if list.iter().any(|coefficient| coefficient.name == "a1") {
-        let _ = writeln!(
-            text,
-            "# a1, …, a16 are the coefficients of uⁱvʲ, i, j = 1, …, 4, row by row (the paper's Eq. 10)."
-        );
+        let paper =
+            "a1, …, a16 are the coefficients of uⁱvʲ, i, j = 1, …, 4, row by row (the paper's Eq. 10).";
+        document.push(Block::Comment(paper.into()));
     }
-    let width = list.iter().filter(|c| !c.value.is_zero()).map(|c| c.name.len()).max().unwrap_or(0);
-    text.push('\n');
-    for coefficient in list.iter().filter(|coefficient| !coefficient.value.is_zero()) {
-        let _ = writeln!(text, "{:<width$} = {}", coefficient.name, notation.polynomial(&coefficient.value));
-    }
+    document.gap();
+    let nonzero: Vec<&Coefficient> = list.iter().filter(|c| !c.value.is_zero()).collect();
+    let width = nonzero.iter().map(|c| c.name.len()).max().unwrap_or(0);
+    let rows = nonzero.iter().map(|c| (Phrase::default().label(&c.name), formula(&c.value), String::new()));
+    document.push(Block::Equations(Equations { indent: 0, width, rows: rows.collect() }));
     let (distinct, zero) = grouped(list);
-    let _ = writeln!(
-        text,
-        "\n# {} coefficients: {zero} zero, {} distinct among the others.",
-        list.len(),
-        distinct.len()
-    );
-    text
+    document.gap();
+    let count =
+        format!("{} coefficients: {zero} zero, {} distinct among the others.", list.len(), distinct.len());
+    document.push(Block::Comment(count.into()));
+    document
 }
 
 pub(super) fn superscript_of(number: u32) -> String {

@@ -34,28 +34,28 @@ pub fn surface_equation(statement: &Statement) -> String {
     format!("{equation} = 0{default}")
 }
 
-/// `PROVED  NAME: …` or `EXACT  NAME: …`. `source` is what the user called the statement on the command line.
-pub(super) fn headline(name: &str, source: &str, theorem: &Theorem) -> String {
+/// What follows the name in the first line. `source` is what the user called the statement on the command line.
+pub(super) fn headline(source: &str, theorem: &Theorem) -> String {
     let statement = theorem.statement();
     let unknowns = statement.unknowns();
     let patch = matches!(statement.subject(), Subject::Patch(_));
     match theorem.claim() {
         Claim::Impossible { .. } if patch && unknowns.is_empty() => format!(
-            "PROVED  {name}: this patch does not lie on {}; {}",
+            "this patch does not lie on {}; {}",
             surface_phrase(statement),
             how_far(statement, source)
         ),
         Claim::Impossible { .. } if patch => format!(
-            "PROVED  {name}: no such patch lies on {}, for any {}{}",
+            "no such patch lies on {}, for any {}{}",
             surface_phrase(statement),
             values_of(unknowns),
             assuming(statement)
         ),
         Claim::Impossible { .. } if unknowns.is_empty() => {
-            format!("PROVED  {name}: the equations of the system do not all hold")
+            "the equations of the system do not all hold".to_owned()
         }
         Claim::Impossible { .. } => {
-            format!("PROVED  {name}: no common zero, for any {}{}", values_of(unknowns), assuming(statement))
+            format!("no common zero, for any {}{}", values_of(unknowns), assuming(statement))
         }
         Claim::Exact(exact) => {
             let patch = if unknowns.is_empty() { "this patch" } else { "at the values below the patch" };
@@ -64,14 +64,12 @@ pub(super) fn headline(name: &str, source: &str, theorem: &Theorem) -> String {
                 Image::Curve => "shrinks to a curve, which lies on",
                 Image::Point => "shrinks to a point, which lies on",
             };
-            format!("EXACT  {name}: {patch} {lies} {}", surface_phrase(statement))
+            format!("{patch} {lies} {}", surface_phrase(statement))
         }
-        Claim::Solution { .. } if unknowns.is_empty() => {
-            format!("EXACT  {name}: the equations of the system hold")
-        }
-        Claim::Solution { .. } => format!("EXACT  {name}: the system has this solution"),
+        Claim::Solution { .. } if unknowns.is_empty() => "the equations of the system hold".to_owned(),
+        Claim::Solution { .. } => "the system has this solution".to_owned(),
         // Elimination proves nothing of this kind; what it is would be said like this.
-        _ => format!("PROVED  {name}: {}", theorem.kind()),
+        _ => theorem.kind().to_owned(),
     }
 }
 

@@ -1,6 +1,6 @@
-//! Mathematics in LaTeX, and an audit as a document.
+//! Mathematics in LaTeX, and documents.
 //!
-//! The displays of the document are the true coefficients, in the form that the listing reader reads: all else is
+//! The displays of an audit and of an expansion are coefficients in the form that the listing reader reads: all else is
 //! inline or prose. Nothing but `amsmath` and `longtable` is needed.
 
 use std::fmt::Write as _;
@@ -9,102 +9,148 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::audit::{correction_text, headline, judgement_word, relation_phrase, stopped_text, term_text};
 use super::mathematics::{Notation, collected};
-use crate::audit::{Audit, Finding, Phrase, Piece, Target};
+use crate::document::{Align, Block, Document, Equations, Item, Listed, Phrase, Piece, Step, Table};
 use crate::exact::{Polynomial, Ring};
-use crate::formats::listing::Listing;
-use crate::statement::{Statement, Subject};
 
 /// Power products on one line of a display.
 const TERMS: usize = 4;
 
-/// An audit as a LaTeX document.
-pub fn audit(listing: &Listing, name: &str, statement: &Statement, audit: &Audit) -> String {
-    let ring = statement.ring();
-    let mut text = String::from(
-        "\\documentclass[a4paper]{article}\n\\usepackage{amsmath,longtable}\n\
-         \\usepackage[margin=2cm]{geometry}\n\\allowdisplaybreaks\n\\setlength{\\parindent}{0pt}\n\\renewcommand{\\arraystretch}{1.25}\n\
-         \\begin{document}\n",
-    );
-    let source = if listing.source.is_empty() { String::new() } else { format!("{} of ", listing.source) };
-    let _ = writeln!(text, "\\section*{{Audit of {}}}", prose(&format!("{source}{}", listing.title)));
-    let _ = writeln!(text, "\\textbf{{{}}}\n", prose(&headline(audit)));
-    if let Some(why) = &audit.stopped {
-        let _ = writeln!(text, "{}\n", prose(&stopped_text(audit, why)));
-    }
-    let _ = writeln!(text, "Held against \\texttt{{{}}}: {}.\n", prose(name), prose(statement.title()));
-    if let Subject::Patch(patch) = statement.subject() {
-        let surface = formula(&statement.coordinate_ring(), &patch.surface);
-        let default = if statement.names_surface() { "" } else { " (the file names none: the unit sphere)" };
-        let _ = writeln!(text, "Surface: \\({surface} = 0\\){default}.\n");
-    }
-    text += "\\subsection*{The true coefficients}\n\\begin{align*}\n";
-    let rows = audit
-        .findings
-        .iter()
-        .map(|finding| format!("{} &= {}", label(finding.label.as_str()), display(&ring, &finding.truth)));
-    text += &rows.collect::<Vec<_>>().join(" \\\\\n");
-    text += "\n\\end{align*}\n";
-    for finding in audit.findings.iter().filter(|finding| !finding.agrees()) {
-        text += &difference(&ring, finding);
-    }
-    if !audit.claims.is_empty() {
-        text += "\\subsection*{Other claims}\n\
-                 \\begin{longtable}{@{}p{2.6cm}p{2.4cm}p{11cm}@{}}\n";
-        for verdict in &audit.claims {
-            let remark = match verdict.claim.remark.as_str() {
-                "" => String::new(),
-                remark => format!(" (Remark: {}.)", prose(remark)),
-            };
-            let evidence: Vec<String> =
-                verdict.evidence.iter().map(|phrase| sentence(&ring, phrase)).collect();
-            let _ = writeln!(
-                text,
-                "{} & {} & {}. {}{remark} \\\\",
-                judgement_word(verdict.judgement),
-                prose(&verdict.claim.place),
-                prose(&verdict.claim.says),
-                evidence.iter().map(|line| format!("{line}. ")).collect::<String>().trim_end()
-            );
-        }
-        text += "\\end{longtable}\n";
-    }
-    text + "\\end{document}\n"
+const BEFORE: &str = "\\documentclass[a4paper]{article}\n\\usepackage{amsmath,longtable}\n\
+    \\usepackage[margin=2cm]{geometry}\n\\allowdisplaybreaks\n\\setlength{\\parindent}{0pt}\n\
+    \\renewcommand{\\arraystretch}{1.25}\n\\begin{document}\n";
+
+/// A document that compiles by itself.
+pub(super) fn print(document: &Document) -> String {
+    let blocks = document.blocks.iter().map(|block| block_text(&document.ring, block));
+    format!("{BEFORE}{}\\end{{document}}\n", blocks.collect::<String>())
 }
 
-fn difference(ring: &Ring, finding: &Finding) -> String {
-    let target = match finding.target {
-        Target::Monomial(i, j) => format!("\\(u^{{{i}}}v^{{{j}}}\\)"),
-        Target::Bernstein(r, s) => format!("\\(c_{{{r},{s}}}\\)"),
-        Target::Equation(k) => format!("\\(f_{{{k}}}\\)"),
+fn block_text(ring: &Ring, block: &Block) -> String {
+    let of = |phrase: &Phrase| sentence(ring, phrase);
+    match block {
+        Block::Headline { word, sentence } => format!("\\textbf{{{word}}}\\quad {}\n\n", of(sentence)),
+        Block::Heading(title) => format!("\\subsection*{{{}}}\n", of(title)),
+        Block::Comment(phrase) | Block::Line { phrase, .. } | Block::Paragraph { phrase, .. } => {
+            format!("{}\n\n", of(phrase))
+        }
+        Block::Equations(equations) => equations_text(ring, equations),
+        Block::Table(table) => table_text(ring, table),
+        Block::Step(step) => step_text(ring, step),
+        Block::Listed(rows) => listed(ring, rows),
+        Block::Item(Item { mark, place, says, evidence }) => {
+            let evidence: String = evidence.iter().map(|phrase| format!("{}.\n", of(phrase))).collect();
+            format!("\\textbf{{{mark}}}\\quad {}: {}.\n{evidence}\n", prose(place), prose(says))
+        }
+        Block::Field { name, phrase, .. } => format!("\\emph{{{}}}\\quad {}\n\n", prose(name), of(phrase)),
+        Block::Files { statement, certificates } => {
+            let files = statement.iter().chain(certificates);
+            files.map(|file| format!("\\texttt{{{}}}\n\n", code(&file.display().to_string()))).collect()
+        }
+        Block::Figure(file) => format!("\\texttt{{{}}}\n\n", code(&file.display().to_string())),
+        Block::Source { text, .. } => {
+            text.lines().map(|line| format!("\\texttt{{{}}}\\mbox{{}}\\par\n", code(line))).collect()
+        }
+        Block::Gap => "\\medskip\n".to_owned(),
+    }
+}
+
+/// Equations below each other; none is none.
+fn aligned(rows: &[String]) -> String {
+    match rows {
+        [] => String::new(),
+        rows => format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", rows.join(" \\\\\n")),
+    }
+}
+
+fn equations_text(ring: &Ring, Equations { rows, .. }: &Equations) -> String {
+    let row = |(left, right, remark): &(Phrase, Phrase, String)| {
+        let remark =
+            if remark.is_empty() { String::new() } else { format!(" \\quad\\text{{({})}}", prose(remark)) };
+        format!("{} &= {}{remark}", displayed(ring, left), displayed(ring, right))
     };
-    let mut text = format!(
-        "\\subsection*{{\\({}\\), the coefficient of {target}, line {}}}\n",
-        label(finding.label.as_str()),
-        finding.place.line
-    );
-    text += "\\begin{longtable}{@{}llll@{}}\nat & printed & true & true \\(-\\) printed \\\\\n";
-    let cell = |polynomial: &Polynomial| format!("\\({}\\)", formula(ring, polynomial));
-    for d in &finding.differences {
-        let cells = [&d.powers, &d.printed, &d.truth, &d.difference].map(cell);
-        let _ = writeln!(text, "{} \\\\", cells.join(" & "));
+    aligned(&rows.iter().map(row).collect::<Vec<_>>())
+}
+
+fn listed(ring: &Ring, rows: &[Listed]) -> String {
+    let row = |row: &Listed| format!("{} &= {}", label(&row.label), display(ring, &row.truth));
+    match rows {
+        [] => String::new(),
+        rows => {
+            let rows: Vec<String> = rows.iter().map(row).collect();
+            format!("\\subsection*{{The true coefficients}}\n{}", aligned(&rows))
+        }
     }
-    text += "\\end{longtable}\n";
-    let mut remarks: Vec<String> =
-        finding.relations.iter().map(|relation| sentence(ring, &relation_phrase(relation))).collect();
-    for correction in &finding.corrections {
-        let (line, column) = (correction.place.line, correction.place.column);
-        remarks.push(format!("{} (line {line}, column {column})", prose(&correction_text(correction))));
+}
+
+fn step_text(ring: &Ring, Step { number, conclusion, combination, so }: &Step) -> String {
+    let of = |phrase: &Phrase| sentence(ring, phrase);
+    let sum = combination
+        .iter()
+        .map(|(multiplier, premise)| format!("{}\\(\\,\\cdot\\,\\){}", of(multiplier), of(premise)));
+    let sum = sum.collect::<Vec<_>>().join(" \\(+\\) ");
+    let so = so.as_ref().map_or_else(String::new, |so| format!("; so {}", of(so)));
+    format!("({number})\\quad {} \\(=\\) {sum}{so}\n\n", of(conclusion))
+}
+
+fn table_text(ring: &Ring, table: &Table) -> String {
+    if table.rows.is_empty() {
+        return String::new();
     }
-    if finding.corrections.is_empty() {
-        let notation = Notation::new(ring.clone());
-        remarks.extend(finding.differences.iter().filter_map(|d| Some(prose(&term_text(&notation, d)?))));
+    let columns = table.columns.iter().map(|column| if column.align == Align::Left { 'l' } else { 'r' });
+    let mut text = format!("\\begin{{longtable}}{{@{{}}{}@{{}}}}\n", columns.collect::<String>());
+    for (k, row) in table.rows.iter().enumerate() {
+        let cells: Vec<String> = row.iter().map(|cell| sentence(ring, cell)).collect();
+        // The braces: what begins with a square bracket would belong to the row before.
+        let rule = if k == 0 && table.headed { " \\hline" } else { "" };
+        let _ = writeln!(text, "{{}}{} \\\\{rule}", cells.join(" & "));
     }
-    for remark in remarks {
-        let _ = writeln!(text, "{remark}.\n");
+    text + "\\end{longtable}\n"
+}
+
+/// A sentence inside a display.
+fn displayed(ring: &Ring, phrase: &Phrase) -> String {
+    let piece = |piece: &Piece| match piece {
+        Piece::Words(words) if words.chars().all(|c| c.is_ascii_digit()) => words.clone(),
+        Piece::Words(words) => format!("\\text{{{}}}", prose(words)),
+        Piece::Formula(polynomial) => display(ring, polynomial),
+        Piece::Shortened(polynomial, characters) => shortened(ring, polynomial, *characters),
+        Piece::Factor(polynomial) => factor(ring, polynomial),
+        Piece::Label(name) => label(name),
+    };
+    phrase.0.iter().map(piece).collect()
+}
+
+fn sentence(ring: &Ring, phrase: &Phrase) -> String {
+    let piece = |piece: &Piece| match piece {
+        Piece::Words(words) => prose(words),
+        Piece::Formula(polynomial) => format!("\\({}\\)", formula(ring, polynomial)),
+        Piece::Shortened(polynomial, characters) => {
+            format!("\\({}\\)", shortened(ring, polynomial, *characters))
+        }
+        Piece::Factor(polynomial) => format!("\\({}\\)", factor(ring, polynomial)),
+        Piece::Label(name) => format!("\\({}\\)", label(name)),
+    };
+    phrase.0.iter().map(piece).collect()
+}
+
+/// In brackets if it is a sum.
+fn factor(ring: &Ring, polynomial: &Polynomial) -> String {
+    match polynomial.term_count() > 1 {
+        true => format!("\\left({}\\right)", formula(ring, polynomial)),
+        false => formula(ring, polynomial),
     }
-    text
+}
+
+/// The first terms, where what is printed of them at a terminal is longer than so many characters.
+fn shortened(ring: &Ring, polynomial: &Polynomial, characters: usize) -> String {
+    let terms = terms(ring, polynomial);
+    let long = Notation::new(ring.clone()).polynomial(polynomial).chars().count() > characters;
+    if long && terms.len() > TERMS {
+        let (shown, all) = (terms[..TERMS].concat(), terms.len());
+        return format!("{shown} + \\ldots\\ \\text{{[{all} terms in all]}}");
+    }
+    terms.concat()
 }
 
 /// A formula, broken into lines after some power products.
@@ -194,76 +240,117 @@ fn symbol(name: &str) -> String {
     }
 }
 
-/// The label of a coefficient: `a14`, `a1,4`.
+/// The label of a coefficient: `a14`, `a1,4`, `c[1,4]`.
 fn label(name: &str) -> String {
+    let name = name.replace(['[', ']'], "");
     let letters = name.find(|c: char| c.is_ascii_digit()).unwrap_or(name.len());
     let (letters, indices) = name.split_at(letters);
     let base = if letters.len() == 1 { letters.to_owned() } else { format!("\\mathrm{{{letters}}}") };
     if indices.is_empty() { base } else { format!("{base}_{{{indices}}}") }
 }
 
-fn sentence(ring: &Ring, phrase: &Phrase) -> String {
-    let piece = |piece: &Piece| match piece {
-        Piece::Words(words) => prose(words),
-        Piece::Formula(polynomial) => format!("\\({}\\)", formula(ring, polynomial)),
-        Piece::Factor(polynomial) if polynomial.term_count() > 1 => {
-            format!("\\(\\left({}\\right)\\)", formula(ring, polynomial))
-        }
-        Piece::Factor(polynomial) => format!("\\({}\\)", formula(ring, polynomial)),
-        Piece::Label(name) => format!("\\({}\\)", label(name)),
-    };
-    phrase.0.iter().map(piece).collect()
-}
-
 /// Words for TeX: its special characters escaped, mathematical ones put into mathematics.
 pub fn prose(words: &str) -> String {
     let mut text = String::new();
     for c in words.chars() {
-        let command = match c {
-            '\\' => "\\textbackslash{}",
-            '^' => "\\textasciicircum{}",
-            '~' => "\\textasciitilde{}",
-            '<' => "\\textless{}",
-            '>' => "\\textgreater{}",
-            '|' => "\\textbar{}",
-            '"' => "''",
-            '{' => "\\{",
-            '}' => "\\}",
-            '$' => "\\$",
-            '%' => "\\%",
-            '&' => "\\&",
-            '#' => "\\#",
-            '_' => "\\_",
-            '√' => "\\(\\surd\\)",
-            '−' => "\\(-\\)",
-            '·' => "\\(\\cdot\\)",
-            '×' => "\\(\\times\\)",
-            '≅' => "\\(\\cong\\)",
-            '≤' => "\\(\\le\\)",
-            '≥' => "\\(\\ge\\)",
-            '²' => "\\(^2\\)",
-            '³' => "\\(^3\\)",
-            'α' => "\\(\\alpha\\)",
-            'ξ' => "\\(\\xi\\)",
-            'η' => "\\(\\eta\\)",
-            '…' => "\\ldots{}",
-            ' '..='~' => {
-                text.push(c);
-                continue;
+        match (c, escaped(c), mathematical(c)) {
+            ('"', ..) => text.push_str("''"),
+            (_, Some(command), _) => text.push_str(command),
+            (_, _, Some(command)) => {
+                let _ = write!(text, "\\({command}\\)");
             }
+            // A line break is for terminals.
+            ('\n', ..) => text.push(' '),
             // Latin letters with accents, which the font has.
-            'À'..='ÿ' => {
-                text.push(c);
-                continue;
-            }
-            other => {
+            (' '..='~' | 'À'..='ÿ', ..) => text.push(c),
+            (other, ..) => {
                 let _ = write!(text, "[U+{:04X}]", u32::from(other));
-                continue;
             }
-        };
-        text.push_str(command);
+        }
     }
     text
+}
+
+/// The same for text in which every blank and every quotation mark counts.
+fn code(line: &str) -> String {
+    line.split(' ')
+        .map(|word| word.split('"').map(prose).collect::<Vec<_>>().join("\\char34{}"))
+        .collect::<Vec<_>>()
+        .join("\\ ")
+}
+
+/// What TeX would take for a command.
+fn escaped(c: char) -> Option<&'static str> {
+    Some(match c {
+        '\\' => "\\textbackslash{}",
+        '^' => "\\textasciicircum{}",
+        '~' => "\\textasciitilde{}",
+        '<' => "\\textless{}",
+        '>' => "\\textgreater{}",
+        '|' => "\\textbar{}",
+        '{' => "\\{",
+        '}' => "\\}",
+        '$' => "\\$",
+        '%' => "\\%",
+        '&' => "\\&",
+        '#' => "\\#",
+        '_' => "\\_",
+        '…' => "\\ldots{}",
+        '–' => "--",
+        _ => return None,
+    })
+}
+
+/// What stands in mathematics only.
+fn mathematical(c: char) -> Option<&'static str> {
+    Some(match c {
+        '√' => "\\surd",
+        '−' => "-",
+        '·' => "\\cdot",
+        '×' => "\\times",
+        '±' => "\\pm",
+        '→' => "\\to",
+        '↦' => "\\mapsto",
+        '≅' => "\\cong",
+        '≠' => "\\ne",
+        '≤' => "\\le",
+        '≥' => "\\ge",
+        '∞' => "\\infty",
+        '°' => "^\\circ",
+        '⟨' => "\\langle",
+        '⟩' => "\\rangle",
+        'α' => "\\alpha",
+        'ᾱ' => "\\bar\\alpha",
+        'β' => "\\beta",
+        'δ' => "\\delta",
+        'κ' => "\\kappa",
+        'λ' => "\\lambda",
+        'ξ' => "\\xi",
+        'η' => "\\eta",
+        'Π' => "\\Pi",
+        'Σ' => "\\Sigma",
+        '⁻' => "^-",
+        '⁰' => "^0",
+        '¹' => "^1",
+        '²' => "^2",
+        '³' => "^3",
+        '⁴' => "^4",
+        '⁵' => "^5",
+        '⁶' => "^6",
+        '⁷' => "^7",
+        '⁸' => "^8",
+        '⁹' => "^9",
+        'ᵉ' => "^e",
+        'ʳ' => "^r",
+        'ˢ' => "^s",
+        'ⁱ' => "^i",
+        'ʲ' => "^j",
+        '₁' => "_1",
+        '₂' => "_2",
+        '₃' => "_3",
+        '₄' => "_4",
+        _ => return None,
+    })
 }
 
 #[cfg(test)]
@@ -273,7 +360,7 @@ mod tests {
     #[test]
     fn prose_cannot_become_a_command() {
         assert_eq!(prose("\\input{x} 100% $"), "\\textbackslash{}input\\{x\\} 100\\% \\$");
-        assert_eq!(prose("√2 ≤ ∞"), "\\(\\surd\\)2 \\(\\le\\) [U+221E]");
+        assert_eq!(prose("√2 ≤ ∞ ☃"), "\\(\\surd\\)2 \\(\\le\\) \\(\\infty\\) [U+2603]");
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! What was found, as text for people and as data.
+//! What was found: each answer is a page, which is a document for people (printed by `text` and `latex`; another printer is
+//! one more file) and data.
 
 mod attempt;
 mod audit;
@@ -18,11 +19,11 @@ mod refutation;
 pub mod rounding;
 mod setting;
 mod solution;
+mod text;
 pub mod stopped;
 mod undecided;
 
 pub use attempt::Files;
-pub use audit::describe_audit;
 pub use headline::{surface_equation, surface_phrase};
 pub use mathematics::Notation;
-pub use page::{Page, json, text};
+pub use page::{Page, json, latex, text};

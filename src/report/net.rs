@@ -1,18 +1,17 @@
 //! The audit of a control net, for people and as data.
 
-use std::fmt::Write as _;
-
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use serde::Serialize;
 
-use super::attempt::wrapped_at;
 use super::headline::{surface_equation, surface_phrase};
 use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
 use super::stopped::{cut_short, stopped_by};
 use crate::audit::decimal;
 use crate::audit::net::{NetAudit, NetChange, NetCorrection, Reading};
+use crate::commands::AuditedNet;
+use crate::document::{Block, Document, Equations, Phrase};
 use crate::exact::{Limit, Polynomial, Radicands, Ring};
 use crate::formats::net::{Convention, PrintedNet};
 
@@ -21,93 +20,101 @@ const SHOWN: usize = 12;
 /// Digits after the point.
 const DIGITS: u32 = 20;
 
+/// Where what stands behind a name begins.
+const NAMED: usize = 9;
+/// Characters of a coefficient that is printed.
+const COEFFICIENT: usize = 90;
+
 /// `prove-cap audit` of a net, for people.
 ///
 /// # Errors
 /// Where a number exceeds what the formats allow.
-pub(super) fn describe_net(net: &PrintedNet, audit: &NetAudit) -> Result<String, Limit> {
-    let notation = Notation::new(Ring { field: net.field.clone(), variables: Vec::new() });
+pub(super) fn describe_net(audited: &AuditedNet) -> Result<Document, Limit> {
+    let AuditedNet { net, audit } = audited;
+    let ring = Ring { field: net.field.clone(), variables: Vec::new() };
+    let notation = Notation::new(ring.clone());
+    let mut document = Document::new(ring);
     let (m, n) = net.bidegree();
     let surface = surface_phrase(&audit.statement);
-    let mut text = String::new();
-    let _ = match audit.agrees {
-        true => writeln!(text, "AGREES  the net lies on {surface}: verified by the independent checker\n"),
-        false => writeln!(
-            text,
-            "DIFFERS  the net does not lie on {surface}: {} of {} coefficients c[r,s] are not zero\n",
+    let sentence = match audit.agrees {
+        true => format!("the net lies on {surface}: verified by the independent checker"),
+        false => format!(
+            "the net does not lie on {surface}: {} of {} coefficients c[r,s] are not zero",
             audit.residual.len(),
             audit.coefficients
         ),
     };
-    let _ = writeln!(text, "Net      {}", net.title);
+    document.headline(audited.verdict().word(), sentence);
+    document.gap();
+    document.field("Net", NAMED, net.title.as_str());
     let given = match net.convention {
         Convention::Cartesian => "Cartesian points with weights",
         Convention::Homogeneous => "homogeneous points, premultiplied",
     };
-    let _ = writeln!(text, "         bidegree ({m},{n}), {given}, over {}", net.field);
-    let _ = writeln!(text, "Surface  {}", surface_equation(&audit.statement));
+    document.field("", NAMED, format!("bidegree ({m},{n}), {given}, over {}", net.field));
+    document.field("Surface", NAMED, surface_equation(&audit.statement));
     if audit.residual.is_empty() {
-        return Ok(text);
+        return Ok(document);
     }
-    text.push('\n');
-    for (r, s, value) in audit.residual.iter().take(SHOWN) {
-        let _ = writeln!(text, "   c[{r},{s}] = {}", notation.shortened(value, 90));
-    }
+    document.gap();
+    let rows = audit.residual.iter().take(SHOWN).map(|(r, s, value)| {
+        let value = Phrase::default().shortened(value, COEFFICIENT);
+        (Phrase::default().label(format!("c[{r},{s}]")), value, String::new())
+    });
+    document.push(Block::Equations(Equations { indent: 3, width: 0, rows: rows.collect() }));
     if audit.residual.len() > SHOWN {
-        let _ = writeln!(text, "   … and {} more", audit.residual.len() - SHOWN);
+        document.line(3, format!("… and {} more", audit.residual.len() - SHOWN));
     }
     if let Some((r, s, value)) = audit.largest() {
-        let _ = writeln!(
-            text,
-            "   None is larger in absolute value than c[{r},{s}] = {}",
-            shown_decimal(value, &net.field)?
-        );
+        let decimal = shown_decimal(value, &net.field)?;
+        document.line(3, format!("None is larger in absolute value than c[{r},{s}] = {decimal}"));
     }
-    text.push('\n');
-    let _ = match audit.corrections.len() {
+    document.gap();
+    match audit.corrections.len() {
         // Stopped before anything can be said.
-        0 if audit.stopped.is_some() && audit.readings.is_empty() => Ok(()),
+        0 if audit.stopped.is_some() && audit.readings.is_empty() => {}
         0 => {
-            let _ = writeln!(
-                text,
-                "No change of a single number to another of {} was found that puts the net on the surface,\n\
-                 and the other convention does not put it there. What each convention leaves:",
-                net.field
+            document.line(
+                0,
+                format!(
+                    "No change of a single number to another of {} was found that puts the net on the surface,\n\
+                     and the other convention does not put it there. What each convention leaves:",
+                    net.field
+                ),
             );
             for reading in &audit.readings {
-                text += &reading_text(net, reading)?;
+                read_as(&mut document, net, reading)?;
             }
-            Ok(())
         }
-        1 => writeln!(text, "One single change puts the net on the surface:"),
-        many => writeln!(text, "{many} single changes put the net on the surface, each alone:"),
-    };
+        1 => document.line(0, "One single change puts the net on the surface:"),
+        many => document.line(0, format!("{many} single changes put the net on the surface, each alone:")),
+    }
     for correction in audit.corrections.iter().take(SHOWN) {
-        let _ = writeln!(text, "   {}", correction_text(net, &notation, correction));
+        document.line(3, correction_text(net, &notation, correction));
     }
     if audit.corrections.len() > SHOWN {
-        let _ = writeln!(text, "   … and {} more", audit.corrections.len() - SHOWN);
+        document.line(3, format!("… and {} more", audit.corrections.len() - SHOWN));
     }
     if let Some(why) = &audit.stopped {
-        let _ = writeln!(text, "{}", cut_short(why));
+        document.line(0, cut_short(why));
     } else if !audit.searched {
-        text += "The search for single changes ended where it had cost as much as it may.\n";
+        document.line(0, "The search for single changes ended where it had cost as much as it may.");
     }
-    Ok(text)
+    Ok(document)
 }
 
 /// What one convention leaves.
-fn reading_text(net: &PrintedNet, reading: &Reading) -> Result<String, Limit> {
+fn read_as(document: &mut Document, net: &PrintedNet, reading: &Reading) -> Result<(), Limit> {
     let meant = match reading.convention {
         Convention::Cartesian => "Cartesian points",
         Convention::Homogeneous => "premultiplied",
     };
     let how = if reading.convention == net.convention { "given as" } else { "read as" };
     let (r, s, value) = &reading.largest;
-    let mut text =
-        format!("   {how} {meant}: the largest is c[{r},{s}] = {}…\n", visible(value, &net.field)?);
+    let value = visible(value, &net.field)?;
+    document.line(3, format!("{how} {meant}: the largest is c[{r},{s}] = {value}…"));
     let explained = match (reading.decimals, reading.printed) {
-        (_, None) => return Ok(text),
+        (_, None) => return Ok(()),
         (Some(decimals), Some(printed)) => format!(
             "no coefficient exceeds the bound for numbers rounded to {decimals} decimals; up to {printed} are printed"
         ),
@@ -115,9 +122,8 @@ fn reading_text(net: &PrintedNet, reading: &Reading) -> Result<String, Limit> {
             "not all coefficients keep the bound for numbers rounded to one decimal".to_owned()
         }
     };
-    text += &wrapped_at(&explained, 6);
-    text.push('\n');
-    Ok(text)
+    document.paragraph(6, explained);
+    Ok(())
 }
 
 /// A decimal with at least three digits that are not leading zeros, within reason.

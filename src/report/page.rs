@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::commands::Verdict;
+use crate::document::Document;
 use crate::exact::Limit;
 
 /// An answer that can be printed.
@@ -13,16 +14,11 @@ pub trait Page {
     /// The verdict.
     fn verdict(&self) -> Verdict;
 
-    /// For people; the first word is the verdict's.
+    /// In words, formulas and tables; the first word is the verdict's.
     ///
     /// # Errors
     /// Where a number exceeds what the formats allow.
-    fn text(&self) -> Result<String, Limit>;
-
-    /// As a LaTeX document, if there is one.
-    fn latex(&self) -> Option<String> {
-        None
-    }
+    fn document(&self) -> Result<Document, Limit>;
 
     /// As data.
     ///
@@ -39,12 +35,20 @@ struct Answer<D> {
     data: D,
 }
 
-/// For people.
+/// For people at a terminal.
 ///
 /// # Errors
 /// As the page has them.
 pub fn text(page: &impl Page) -> Result<String, Limit> {
-    page.text()
+    page.document().map(|document| super::text::print(&document))
+}
+
+/// As a LaTeX document.
+///
+/// # Errors
+/// As the page has them.
+pub fn latex(page: &impl Page) -> Result<String, Limit> {
+    page.document().map(|document| super::latex::print(&document))
 }
 
 /// One JSON object on lines of its own, with the verdict's first word as its member `verdict`.

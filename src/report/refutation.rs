@@ -1,24 +1,25 @@
 //! A proof of impossibility, line by line.
 
-use std::fmt::Write as _;
-
-use super::attempt::LINE;
 use super::expansion::surface_text;
 use super::mathematics::Notation;
 use super::setting;
+use super::text::LINE;
 use crate::algebra::polynomial_to_exact;
 use crate::certificate::{Argument, Certificate, Premise, Step};
 use crate::control::Control;
+use crate::document::{self, Block, Document, Equations, Phrase};
 use crate::exact::{Arithmetic, Polynomial};
 use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_of, grouped};
 use crate::problem::Problem;
 use crate::prove::flattened;
-use crate::statement::Subject;
+use crate::statement::{Patch, Subject};
 
 /// Distinct coefficients, steps, and cofactor terms that are printed in full.
 const COEFFICIENTS: usize = 16;
 const STEPS: usize = 24;
 const COFACTOR_TERMS: usize = 12;
+/// Characters of a name before the sign of equality, at least.
+const NAME: usize = 6;
 
 /// The setting, the condition, the elimination and the contradiction.
 pub(super) fn refutation(
@@ -26,86 +27,87 @@ pub(super) fn refutation(
     cap: bool,
     certificate: &Certificate,
     control: &Control,
-) -> Result<String, ExpansionError> {
+) -> Result<Document, ExpansionError> {
     let statement = problem.statement();
-    let notation = Notation::new(statement.ring());
-    let mut text = String::new();
+    let mut document = Document::new(statement.ring());
     let mut number = 0;
-    let mut heading = |text: &mut String, title: &str| {
+    let mut heading = |document: &mut Document, title: &str| {
         number += 1;
-        let _ = writeln!(text, "{number}. {title}");
+        document.heading(format!("{number}. {title}"));
     };
-    if cap && let Subject::Patch(patch) = statement.subject() {
-        heading(&mut text, "The setting");
-        text += &setting::cube_face(statement, patch)?;
-        text.push('\n');
-    }
-    if let Some(list) = coefficients_of(problem, Basis::Bernstein, control)? {
-        heading(&mut text, "The condition");
-        text += &condition(problem, &notation, &list, control)?;
-        text.push('\n');
+    if let Subject::Patch(patch) = statement.subject() {
+        if cap {
+            heading(&mut document, "The setting");
+            setting::cube_face(&mut document, statement, patch)?;
+            document.gap();
+        }
+        if let Some(list) = coefficients_of(problem, Basis::Bernstein, control)? {
+            heading(&mut document, "The condition");
+            condition(&mut document, (problem, patch), &list, control)?;
+            document.gap();
+        }
     }
     for (k, assumed) in (1..).zip(statement.nonzero()) {
-        let d = notation.polynomial(assumed);
-        let _ = writeln!(
-            text,
-            "   The assumption {d} ≠ 0 enters as nonzero[{k}] = {}·t[{k}] − 1 (Rabinowitsch).\n",
-            notation.factor(assumed)
-        );
+        let enters = Phrase::words("The assumption ")
+            .formula(assumed)
+            .and(format!(" ≠ 0 enters as nonzero[{k}] = "))
+            .factor(assumed)
+            .and(format!("·t[{k}] − 1 (Rabinowitsch)."));
+        document.line(3, enters);
+        document.gap();
     }
     let Argument::Impossible(steps) = &certificate.argument else {
-        return Ok(text);
+        return Ok(document);
     };
-    heading(&mut text, "The elimination");
-    text += &elimination(problem, &notation, steps, control);
-    text.push('\n');
-    heading(&mut text, "The contradiction");
-    let _ = writeln!(text, "   If all these equations held, the last line would read 1 = 0.");
+    heading(&mut document, "The elimination");
+    elimination(&mut document, problem, steps, control);
+    document.gap();
+    heading(&mut document, "The contradiction");
+    document.line(3, "If all these equations held, the last line would read 1 = 0.");
     match flattened(statement, steps, COFACTOR_TERMS, control) {
         Some(cofactors) if steps.len() > 1 => {
-            let sum = cofactors
-                .iter()
-                .map(|(premise, cofactor)| format!("{}·{premise}", notation.factor(cofactor)));
-            let _ = writeln!(text, "   Multiplied out, a Nullstellensatz certificate:");
-            let _ = writeln!(text, "   1 = {}", sum.collect::<Vec<_>>().join("\n     + "));
+            document.line(3, "Multiplied out, a Nullstellensatz certificate:");
+            let mut sum = Phrase::words("1 = ");
+            for (k, (premise, cofactor)) in cofactors.iter().enumerate() {
+                let sum_so_far = if k == 0 { sum } else { sum.and("\n  + ") };
+                sum = sum_so_far.factor(cofactor).and("·").label(premise.to_string());
+            }
+            document.line(3, sum);
         }
         _ => {}
     }
-    text.push('\n');
-    Ok(text)
+    document.gap();
+    Ok(document)
 }
 
 fn condition(
-    problem: &Problem,
-    notation: &Notation,
+    document: &mut Document,
+    (problem, patch): (&Problem, &Patch),
     list: &[Coefficient],
     control: &Control,
-) -> Result<String, ExpansionError> {
+) -> Result<(), ExpansionError> {
     let statement = problem.statement();
-    let Subject::Patch(patch) = statement.subject() else {
-        return Ok(String::new());
-    };
     let (m, n) = patch.bidegree;
-    let mut text = String::new();
     let (last_r, last_s) = list.last().map_or((0, 0), |last| last.index);
-    let _ = writeln!(
-        text,
-        "   Patch of bidegree ({m},{n}), {} control points, {}.",
-        (m + 1) * (n + 1),
-        match statement.unknowns() {
-            [] => "no unknowns".to_owned(),
-            [one] => format!("unknown {one}"),
-            many => format!("unknowns {}", many.join(", ")),
-        }
+    let unknowns = match statement.unknowns() {
+        [] => "no unknowns".to_owned(),
+        [one] => format!("unknown {one}"),
+        many => format!("unknowns {}", many.join(", ")),
+    };
+    document
+        .line(3, format!("Patch of bidegree ({m},{n}), {} control points, {unknowns}.", (m + 1) * (n + 1)));
+    document.line(
+        3,
+        format!(
+            "It lies on the surface iff F = {} vanishes identically in u and v.",
+            surface_text(statement)
+        ),
     );
-    let _ = writeln!(
-        text,
-        "   It lies on the surface iff F = {} vanishes identically in u and v.",
-        surface_text(statement)
-    );
-    let _ = writeln!(
-        text,
-        "   F has at most bidegree ({last_r},{last_s}); c[r,s] is its coefficient of u^r (1−u)^({last_r}−r) · v^s (1−v)^({last_s}−s)."
+    document.line(
+        3,
+        format!(
+            "F has at most bidegree ({last_r},{last_s}); c[r,s] is its coefficient of u^r (1−u)^({last_r}−r) · v^s (1−v)^({last_s}−s)."
+        ),
     );
     let (groups, zero) = grouped(list);
     let vanish = match zero {
@@ -121,80 +123,75 @@ fn condition(
         (_, different) if zero == 0 => format!("; they are {different} different polynomials:"),
         (_, different) => format!("; the others are {different} different polynomials:"),
     };
-    let _ = writeln!(text, "   Of {} coefficients {vanish}{others}", list.len());
-    text += &group_lines(notation, &groups);
+    document.line(3, format!("Of {} coefficients {vanish}{others}", list.len()));
+    group_lines(document, &groups);
 
     // The paper's own coefficients, where they are short enough to be read.
     let monomial = coefficients_of(problem, Basis::Monomial, control)?.unwrap_or_default();
     let (groups, _) = grouped(&monomial);
+    let notation = Notation::new(statement.ring());
     let readable = |(_, value): &(Vec<&str>, &Polynomial)| notation.polynomial(value).chars().count() <= LINE;
     if monomial.iter().any(|c| c.name == "a1") && groups.iter().all(readable) {
-        let _ = writeln!(text, "   The same as coefficients a1, …, a16 of uⁱvʲ, i, j = 1, …, 4 (10, 11):");
-        text += &group_lines(notation, &groups);
+        document.line(3, "The same as coefficients a1, …, a16 of uⁱvʲ, i, j = 1, …, 4 (10, 11):");
+        group_lines(document, &groups);
     }
-    Ok(text)
+    Ok(())
 }
 
-fn group_lines(notation: &Notation, groups: &[(Vec<&str>, &Polynomial)]) -> String {
-    let mut text = String::new();
-    for (names, value) in groups.iter().take(COEFFICIENTS) {
-        let formula = notation.shortened(value, LINE);
+fn group_lines(document: &mut Document, groups: &[(Vec<&str>, &Polynomial)]) {
+    let rows = groups.iter().take(COEFFICIENTS).map(|(names, value)| {
         let (first, others) = (names[0], &names[1..]);
-        let _ = match others.len() {
-            0 => writeln!(text, "     {first:<6} = {formula}"),
-            1..=3 => writeln!(text, "     {first:<6} = {formula}   (= {})", others.join(" = ")),
-            many => writeln!(text, "     {first:<6} = {formula}   (= {many} others)"),
+        let remark = match others.len() {
+            0 => String::new(),
+            1..=3 => format!("= {}", others.join(" = ")),
+            many => format!("= {many} others"),
         };
-    }
+        (Phrase::default().label(first), Phrase::default().shortened(value, LINE), remark)
+    });
+    document.push(Block::Equations(Equations { indent: 5, width: NAME, rows: rows.collect() }));
     if groups.len() > COEFFICIENTS {
-        let _ = writeln!(text, "     … and {} more (prove-cap expand)", groups.len() - COEFFICIENTS);
+        document.line(5, format!("… and {} more (prove-cap expand)", groups.len() - COEFFICIENTS));
     }
-    text
 }
 
-fn elimination(problem: &Problem, notation: &Notation, steps: &[Step], control: &Control) -> String {
-    let statement = problem.statement();
-    let mut text = String::new();
-    let mut values: Vec<Option<Polynomial>> = vec![None; statement.ring().variables.len()];
+fn elimination(document: &mut Document, problem: &Problem, steps: &[Step], control: &Control) {
+    let ring = problem.statement().ring();
+    let notation = Notation::new(ring.clone());
+    let mut values: Vec<Option<Polynomial>> = vec![None; ring.variables.len()];
     let shown = steps.len().min(STEPS);
     // The first steps and the last one.
     for (number, step) in (1usize..).zip(steps) {
         if number >= shown && number < steps.len() && steps.len() > STEPS {
             if number == shown {
-                let _ = writeln!(text, "   … {} more steps, all in the certificate", steps.len() - shown);
+                document.line(3, format!("… {} more steps, all in the certificate", steps.len() - shown));
             }
             continue;
         }
         let last = number == steps.len();
-        if last && let Some(line) = contradiction(problem, notation, step, &values, control) {
-            text += &line;
+        if last && let Some(line) = contradiction(problem, step, &values, control) {
+            document.line(3, line);
         }
-        let label = format!("   ({number})");
-        let _ = writeln!(text, "{label:<8} {} =", notation.shortened(&step.conclusion, LINE));
-        for (k, (premise, multiplier)) in step.combination.iter().enumerate() {
+        let combination = step.combination.iter().map(|(premise, multiplier)| {
             let name = match premise {
-                Premise::Step(earlier) => format!("({earlier})"),
-                equation => equation.to_string(),
+                Premise::Step(earlier) => Phrase::words(format!("({earlier})")),
+                equation => Phrase::default().label(equation.to_string()),
             };
-            let sign = if k == 0 { " " } else { "+" };
-            let _ = writeln!(
-                text,
-                "          {sign} {} · {name}",
-                bracketed(notation.shortened(multiplier, LINE))
-            );
-        }
-        if let Some((variable, value)) = solved(&step.conclusion) {
-            let name = &statement.ring().variables[usize::from(variable)];
-            let _ = writeln!(text, "         so {name} = {}", notation.polynomial(&value));
+            // A number without sign, fraction and root stands without brackets.
+            let simple = notation.shortened(multiplier, LINE).chars().all(|c| c.is_ascii_digit());
+            let (before, after) = if simple { ("", "") } else { ("(", ")") };
+            (Phrase::words(before).shortened(multiplier, LINE).and(after), name)
+        });
+        let combination = combination.collect();
+        let solved = solved(&step.conclusion);
+        let so = solved.as_ref().map(|(variable, value)| {
+            Phrase::default().formula(&Polynomial::variable(*variable)).and(" = ").formula(value)
+        });
+        let conclusion = Phrase::default().shortened(&step.conclusion, LINE);
+        document.push(Block::Step(document::Step { number, conclusion, combination, so }));
+        if let Some((variable, value)) = solved {
             values[usize::from(variable)] = Some(value);
         }
     }
-    text
-}
-
-fn bracketed(formula: String) -> String {
-    let simple = formula.chars().all(|c| c.is_ascii_digit());
-    if simple { formula } else { format!("({formula})") }
 }
 
 /// variable = value, if that is what the vanishing of a conclusion says.
@@ -212,11 +209,10 @@ fn solved(conclusion: &Polynomial) -> Option<(u16, Polynomial)> {
 /// What the one equation of the last step comes to at the values found before.
 fn contradiction(
     problem: &Problem,
-    notation: &Notation,
     last: &Step,
     values: &[Option<Polynomial>],
     control: &Control,
-) -> Option<String> {
+) -> Option<Phrase> {
     let equations: Vec<Premise> = last
         .combination
         .iter()
@@ -235,6 +231,8 @@ fn contradiction(
         .substitute(&polynomial, &at)
         .ok()?;
     let when = if polynomial.is_constant() { "Identically" } else { "With these values" };
-    (value.is_constant() && !value.is_zero())
-        .then(|| format!("   {when} {equation} = {}, not 0:\n", notation.polynomial(&value)))
+    (value.is_constant() && !value.is_zero()).then(|| {
+        let words = Phrase::words(format!("{when} ")).label(equation.to_string());
+        words.and(" = ").formula(&value).and(", not 0:")
+    })
 }

@@ -1,16 +1,15 @@
 //! The geometry of the cap over the cube face, line by line (the paper's sections 2.1, 2.2 and Appendix A).
 
-use std::fmt::Write as _;
-
 use super::mathematics::Notation;
 use crate::algebra::{FieldElement, Polynomial, polynomial_to_exact};
 use crate::catalogue::Cap;
+use crate::document::{Block, Column, Document, Table};
 use crate::exact::{self, Limit, Radicands, Ring};
 use crate::geometry::{CubeFace, dot};
 use crate::statement::{Patch, Statement};
 
 /// The lines that lead from the cube to the control points of an edge. Every value printed is computed here.
-pub(super) fn cube_face(statement: &Statement, patch: &Patch) -> Result<String, Limit> {
+pub(super) fn cube_face(document: &mut Document, statement: &Statement, patch: &Patch) -> Result<(), Limit> {
     let field = Cap::field();
     let face = CubeFace::derive(field).expect("the cube's side lies in Q(√2,√3)");
     let arc = face.edge_along_v(0).expect("the weight lies in Q(√2,√3)");
@@ -40,18 +39,17 @@ pub(super) fn cube_face(statement: &Statement, patch: &Patch) -> Result<String, 
         (format!("Its weight is cos(α/2) = |OM|/R = {}; A and B have weight 1", number(&arc.weight)?), "A-8"),
         ("The other three edges likewise. (Numbers on the right are the paper's.)".to_owned(), ""),
     ];
-    let width = lines.iter().map(|(line, _)| line.chars().count()).max().unwrap_or(0);
-    let mut text = String::new();
+    let mut table = Table::new(3, [Column::left(0), Column::left(3)]);
     for (line, equation) in lines {
-        let numbered = if equation.is_empty() { line } else { format!("{line:<width$}   ({equation})") };
-        let _ = writeln!(text, "   {numbered}");
+        let number = if equation.is_empty() { String::new() } else { format!("({equation})") };
+        table.row([line, number]);
     }
+    document.push(Block::Table(table));
     let (m, n) = patch.bidegree;
     if m.max(n) > 2 {
-        let _ = writeln!(
-            text,
-            "   The edges are raised in degree to {m} along u and {n} along v; the arcs stay the same."
-        );
+        let raised =
+            format!("The edges are raised in degree to {m} along u and {n} along v; the arcs stay the same.");
+        document.line(3, raised);
     }
     if !statement.nonzero().is_empty() {
         let [.., corner] = &patch.net[m as usize][n as usize];
@@ -62,8 +60,8 @@ pub(super) fn cube_face(statement: &Statement, patch: &Patch) -> Result<String, 
         } else {
             "Scaling and reparametrising the patch makes three corner weights 1; the fourth is d², and an"
         };
-        let _ = writeln!(text, "   {which}");
-        let _ = writeln!(text, "   edge between weights p and q has the middle weight cos(α/2)·√(pq).");
+        document
+            .line(3, format!("{which}\nedge between weights p and q has the middle weight cos(α/2)·√(pq)."));
     }
     let mut odd = statement.unknowns().iter().filter(|name| name.ends_with(['u', 'v']));
     let half_turn = odd.clone().all(|name| name.ends_with("uv"));
@@ -73,13 +71,15 @@ pub(super) fn cube_face(statement: &Statement, patch: &Patch) -> Result<String, 
             format!("{whole}uv changes sign under both. Every interior with the half-turn is such a sum.")
         } else {
             format!(
-                "{whole}u changes sign under the first, {whole}v under the second, {whole}uv under both. Every interior\n   is such a sum."
+                "{whole}u changes sign under the first, {whole}v under the second, {whole}uv under both. Every interior\nis such a sum."
             )
         };
-        let _ = writeln!(
-            text,
-            "   The inner points are sums of their parts under the reflections u → 1−u and v → 1−v of the cap:\n   {signs}"
+        document.line(
+            3,
+            format!(
+                "The inner points are sums of their parts under the reflections u → 1−u and v → 1−v of the cap:\n{signs}"
+            ),
         );
     }
-    Ok(text)
+    Ok(())
 }

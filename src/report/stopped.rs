@@ -1,7 +1,5 @@
 //! What a search had when it was stopped.
 
-use std::fmt::Write as _;
-
 use num_rational::BigRational;
 use serde::Serialize;
 
@@ -10,6 +8,7 @@ use super::json::{ValueData, values_data};
 use super::rounding::{Towards, rounded};
 use crate::approximation::{BestSoFar, quantity_of};
 use crate::control::{Interrupted, Why};
+use crate::document::Document;
 use crate::statement::Statement;
 
 /// Digits after the point of what was measured.
@@ -30,15 +29,14 @@ pub fn cut_short(why: &Interrupted) -> String {
 }
 
 /// The best values so far, with what was measured there.
-pub fn best_so_far_text(statement: &Statement, best: &BestSoFar) -> String {
-    let mut text = "Best found so far, by search; nothing is proved of it\n".to_owned();
+pub(super) fn best_so_far(document: &mut Document, statement: &Statement, best: &BestSoFar) {
+    document.heading("Best found so far, by search; nothing is proved of it");
     for (name, value) in statement.unknowns().iter().zip(&best.values.values) {
-        let _ = writeln!(text, "   {name} = {}", value_text(statement, value));
+        document.line(3, format!("{name} = {}", value_text(statement, value)));
     }
     let [low, high] = measured(best);
     let name = quantity_of(statement).map(|quantity| quantity_name(statement, quantity)).unwrap_or_default();
-    let _ = writeln!(text, "   measured in floating point: {low} ≤ {name} ≤ {high}");
-    text
+    document.line(3, format!("measured in floating point: {low} ≤ {name} ≤ {high}"));
 }
 
 /// The best values so far as data.

@@ -1,13 +1,12 @@
 //! Why nothing was established.
 
-use std::fmt::Write as _;
-
-use super::attempt::{LINE, wrapped_at};
 use super::mathematics::Notation;
+use super::text::LINE;
 use crate::algebra::{FieldElement, Monomial, Polynomial, Sign, polynomial_to_exact};
 use crate::control::Interrupted;
+use crate::document::{Block, Document, Equations, Phrase};
 use crate::elimination::{Closure, Eliminant, Tried, Undecided, VALUES};
-use crate::exact::{Limit, Radicands};
+use crate::exact::{self, Limit, Radicands};
 use crate::problem::field_of;
 use crate::prove::{Consistent, Extension, Reason};
 use crate::statement::{Statement, Subject};
@@ -32,55 +31,58 @@ pub(super) fn headline(reason: &Reason) -> &'static str {
 }
 
 /// The reason in full.
-pub(super) fn reason_text(statement: &Statement, reason: &Reason) -> Result<String, Limit> {
-    let mut text = String::new();
+pub(super) fn reason_document(statement: &Statement, reason: &Reason) -> Result<Document, Limit> {
+    let mut document = Document::new(statement.ring());
     match reason {
-        Reason::NoDenominator => {
-            let _ = writeln!(
-                text,
-                "The equations have one common zero, at which the denominator W of the patch is the zero polynomial.\nThat is no patch; and since there is a zero, no certificate of impossibility exists."
-            );
-        }
-        Reason::Limited { limit, found } => {
-            let _ = match found {
-                false => writeln!(
-                    text,
-                    "The independent checker could not derive the equations, whatever the argument: {limit}.\nNone was looked for."
+        Reason::NoDenominator => document.line(
+            0,
+            "The equations have one common zero, at which the denominator W of the patch is the zero polynomial.\n\
+             That is no patch; and since there is a zero, no certificate of impossibility exists.",
+        ),
+        Reason::Limited { limit, found } => document.line(
+            0,
+            match found {
+                false => format!(
+                    "The independent checker could not derive the equations, whatever the argument: {limit}.\n\
+                     None was looked for."
                 ),
-                true => writeln!(
-                    text,
-                    "An argument was found, but the independent checker cannot follow it: {limit}.\nWhat it has not verified is not claimed."
+                true => format!(
+                    "An argument was found, but the independent checker cannot follow it: {limit}.\n\
+                     What it has not verified is not claimed."
                 ),
-            };
-        }
-        Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => {
-            let _ = writeln!(
-                text,
-                "Among the multiples of the equations up to degree {degree} no combination that is 1 was found (modulo a prime).\nThe next matrix would have {columns} columns and {rows} rows or more: that is beyond this engine."
-            );
-        }
+            },
+        ),
+        Reason::Elimination(Undecided::TooLarge { degree, matrix: (rows, columns) }) => document.line(
+            0,
+            format!(
+                "Among the multiples of the equations up to degree {degree} no combination that is 1 was found (modulo a prime).\n\
+                 The next matrix would have {columns} columns and {rows} rows or more: that is beyond this engine."
+            ),
+        ),
         Reason::Elimination(Undecided::Interrupted(Interrupted { why, reached })) => {
-            let _ = writeln!(text, "Stopped: {why}. Nothing was established.");
+            document.line(0, format!("Stopped: {why}. Nothing was established."));
             if let Some(reached) = reached {
-                let _ = writeln!(text, "Reached: {reached}.");
+                document.line(0, format!("Reached: {reached}."));
             }
         }
         // Elimination by itself says this; an attempt looks for zeros before it gives up.
         Reason::Elimination(Undecided::Consistent(closure)) => {
-            text += &closure_text(statement, closure, (0, false))?;
+            closure_blocks(&mut document, statement, closure, (0, false))?;
         }
         Reason::Consistent(consistent) => {
             let Consistent { closure, without_patch, tried, extension } = consistent.as_ref();
-            text += &closure_text(statement, closure, (*without_patch, extension.is_some()))?;
+            closure_blocks(&mut document, statement, closure, (*without_patch, extension.is_some()))?;
             if let Some(tried) = tried {
-                let _ = writeln!(text, "\n{}", tried_text(statement, tried));
+                document.gap();
+                document.paragraph(0, tried_text(statement, tried));
             }
             if let Some(extension) = extension {
-                let _ = writeln!(text, "\n{}", extension_text(statement, extension)?);
+                document.gap();
+                document.paragraph(0, extension_text(statement, extension)?);
             }
         }
     }
-    Ok(text)
+    Ok(document)
 }
 
 /// Which values were tried.
@@ -102,13 +104,10 @@ fn tried_text(statement: &Statement, tried: &Tried) -> String {
         Subject::Patch(_) => "patch",
         Subject::System(_) => "zero",
     };
-    wrapped_at(
-        &format!(
-            "The values {} were tried for {names}, one unknown after another, {choices} in all: no {subject} \
-             over {field} was found.",
-            values.join(", ")
-        ),
-        0,
+    format!(
+        "The values {} were tried for {names}, one unknown after another, {choices} in all: no {subject} \
+         over {field} was found.",
+        values.join(", ")
     )
 }
 
@@ -138,23 +137,20 @@ fn extension_text(statement: &Statement, extension: &Extension) -> Result<String
     }
     let chosen = if chosen.is_empty() { String::new() } else { format!("With {}: ", chosen.join(", ")) };
     let radicands = format!("with radicands = {:?} this is EXACT (prove --extend)", extension.radicands);
-    Ok(wrapped_at(
-        &match found.is_empty() {
-            true if chosen.is_empty() => format!("But {radicands}."),
-            true => format!("{chosen}{radicands}."),
-            false => format!("{chosen}{}; {radicands}.", found.join(", ")),
-        },
-        0,
-    ))
+    Ok(match found.is_empty() {
+        true if chosen.is_empty() => format!("But {radicands}."),
+        true => format!("{chosen}{radicands}."),
+        false => format!("{chosen}{}; {radicands}.", found.join(", ")),
+    })
 }
 
 /// What the equations are equivalent to, and what that says of their zeros.
-fn closure_text(
+fn closure_blocks(
+    document: &mut Document,
     statement: &Statement,
     closure: &Closure,
     (without_patch, larger): (usize, bool),
-) -> Result<String, Limit> {
-    let mut text = String::new();
+) -> Result<(), Limit> {
     let field = statement.field();
     let zeros = match closure.zeros {
         Some(count) => {
@@ -162,63 +158,66 @@ fn closure_text(
         }
         None => format!("infinitely many over the complex numbers: a set of dimension {}", closure.dimension),
     };
-    let _ = match closure.verified {
-        true => writeln!(
-            text,
-            "A Gröbner basis, verified over {field}, does not contain 1, so the equations have common zeros,\n\
-             {zeros}.\nA certificate of impossibility therefore does not exist.\n"
-        ),
-        false => writeln!(
-            text,
-            "What looks like a Gröbner basis modulo a prime does not contain 1. Over {field} that was not verified. If it is\n\
-             one, the equations have common zeros, {zeros}.\n"
-        ),
-    };
+    document.line(
+        0,
+        match closure.verified {
+            true => format!(
+                "A Gröbner basis, verified over {field}, does not contain 1, so the equations have common zeros,\n\
+                 {zeros}.\nA certificate of impossibility therefore does not exist."
+            ),
+            false => format!(
+                "What looks like a Gröbner basis modulo a prime does not contain 1. Over {field} that was not verified. If it is\n\
+                 one, the equations have common zeros, {zeros}."
+            ),
+        },
+    );
+    document.gap();
     let everywhere = closure.linear.is_empty() && closure.basis.is_empty();
     if !everywhere {
-        text += &coordinates(statement, closure, (without_patch, larger))?;
+        coordinates(document, statement, closure, (without_patch, larger))?;
     }
-    let notation = Notation::new(statement.ring());
     let basis: Vec<_> = closure.linear.iter().chain(&closure.basis).collect();
-    let heading = match basis.as_slice() {
-        [] => "The equations hold for all values of the unknowns.",
-        _ if closure.verified => "The equations are equivalent to",
-        _ => "From the equations follow",
-    };
-    let _ = writeln!(text, "{heading}");
+    document.line(
+        0,
+        match basis.as_slice() {
+            [] => "The equations hold for all values of the unknowns.",
+            _ if closure.verified => "The equations are equivalent to",
+            _ => "From the equations follow",
+        },
+    );
+    let mut rows = Vec::new();
     for polynomial in basis.iter().take(BASIS) {
-        let exact = polynomial_to_exact(polynomial)?;
-        let _ = writeln!(text, "   {} = 0", notation.shortened(&exact, LINE));
+        let left = Phrase::default().shortened(&polynomial_to_exact(polynomial)?, LINE);
+        rows.push((left, Phrase::words("0"), String::new()));
     }
+    document.push(Block::Equations(Equations { indent: 3, width: 0, rows }));
     if basis.len() > BASIS {
-        let _ = writeln!(text, "   … and {} more", basis.len() - BASIS);
+        document.line(3, format!("… and {} more", basis.len() - BASIS));
     }
-    Ok(text)
+    Ok(())
 }
 
 /// The possible coordinates of finitely many zeros: for each unknown its eliminant and how many real roots it has.
 ///
 /// Then what that says of the zeros: so many in K make no patch, and `larger` says that one over a larger field was found.
 fn coordinates(
+    document: &mut Document,
     statement: &Statement,
     closure: &Closure,
     (without_patch, larger): (usize, bool),
-) -> Result<String, Limit> {
+) -> Result<(), Limit> {
     let field = statement.field();
     let unknowns = statement.unknowns();
-    let of_unknowns = closure
-        .eliminants
-        .iter()
-        .filter_map(|eliminant| Some((unknowns.get(usize::from(eliminant.variable))?, eliminant)));
-    let mut text = String::new();
+    let of_unknowns =
+        closure.eliminants.iter().filter(|eliminant| usize::from(eliminant.variable) < unknowns.len());
     let (mut real, mut in_field) = (true, true);
-    for (name, Eliminant { variable, polynomial: eliminant, roots: inside, real_roots }) in of_unknowns {
+    for Eliminant { variable, polynomial: eliminant, roots: inside, real_roots } in of_unknowns {
         let terms = (0u32..).zip(eliminant.coefficients()).map(|(k, c)| {
             let powers = if k == 0 { Vec::new() } else { vec![(*variable, k)] };
             (Monomial::from_powers(powers), c.clone())
         });
         let polynomial = Polynomial::from_terms(field_of(statement), terms);
-        let formula = Notation::new(statement.ring()).shortened(&polynomial_to_exact(&polynomial)?, LINE);
+        let formula = polynomial_to_exact(&polynomial)?;
         let roots = match real_roots {
             Some(0) => {
                 real = false;
@@ -234,7 +233,9 @@ fn coordinates(
         } else {
             String::new()
         };
-        let _ = writeln!(text, "   {name} is a root of {formula}: {roots}{inside}");
+        let unknown = Phrase::default().formula(&exact::Polynomial::variable(*variable));
+        let root = unknown.and(" is a root of ").shortened(&formula, LINE).and(format!(": {roots}{inside}"));
+        document.line(3, root);
     }
     let conclusion = match (closure.eliminants.is_empty(), real, in_field) {
         _ if without_patch == 1 => format!(
@@ -244,7 +245,7 @@ fn coordinates(
             "At the {without_patch} zeros in {field} that were found the denominator W vanishes identically: they are no patches."
         ),
         // The line on the larger field says more.
-        (true, ..) if larger => return Ok(text),
+        (true, ..) if larger => return Ok(()),
         (true, ..) => format!("Whether one of the zeros is real, or lies in {field}, was not decided."),
         (_, false, _) => {
             "So no zero is real. That was computed, but this program has no certificate for it.".to_owned()
@@ -252,6 +253,7 @@ fn coordinates(
         (_, _, false) => format!("So no zero lies in {field}."),
         _ => format!("No zero in {field} was found; that there is none was not decided."),
     };
-    let _ = writeln!(text, "{conclusion}\n");
-    Ok(text)
+    document.line(0, conclusion);
+    document.gap();
+    Ok(())
 }

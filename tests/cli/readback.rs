@@ -27,6 +27,12 @@ fn listings(statement: &Statement) -> Vec<Listing> {
         let expanded = expanded(statement, basis);
         let text = report::text(&expanded).unwrap();
         listings.push(Listing::from_formulas("", &text, Notation::Plain).unwrap_or_else(|e| panic!("{e}")));
+        let text = report::latex(&expanded).unwrap();
+        // Without displays there is no listing in LaTeX, not even an empty one.
+        if text.contains("\\begin{align*}") {
+            let listing = Listing::from_formulas("", &text, Notation::Latex);
+            listings.push(listing.unwrap_or_else(|e| panic!("{e}")));
+        }
         let text = report::json(&expanded).unwrap();
         assert!(is_expansion(&text));
         listings.push(Listing::from_json(&text).unwrap_or_else(|e| panic!("{e}")));

@@ -175,6 +175,21 @@ fn every_command_says_its_verdict_in_every_format() {
             None => assert!(Verdict::ALL.iter().all(|other| other.word() != Some(first)), "{said}"),
         }
 
+        let (code, out, err) = run(arguments, Some("latex"));
+        assert_eq!(code, status, "{arguments:?}: {out}{err}");
+        if *verdict == Verdict::Failed {
+            assert_eq!((out.as_str(), err.lines().next()), ("", said.lines().next()), "{arguments:?}");
+        } else if !arguments[0..arguments.len().min(1)].iter().any(|word| word.starts_with("--")) {
+            assert!(out.starts_with("\\documentclass"), "{arguments:?}: {out}");
+            assert!(out.ends_with("\\end{document}\n"), "{arguments:?}: {out}");
+            assert!(!out.contains("[U+"), "{arguments:?}: a character without a command: {out}");
+            // The words of the checker alone are printed as they stand.
+            let words =
+                verdict.word().map(|word| [format!("\\textbf{{{word}}}"), format!("\\texttt{{{word}")]);
+            let said = |words: [String; 2]| words.iter().any(|word| out.contains(word.as_str()));
+            assert!(words.is_none_or(said), "{arguments:?}: {out}");
+        }
+
         let (code, out, err) = run(arguments, Some("json"));
         assert_eq!((code, err.as_str()), (status, ""), "{arguments:?}: {out}");
         let data: serde_json::Value =

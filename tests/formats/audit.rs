@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use prove_cap::audit::{Audit, Change, Finding, Judgement, PAPER, Relation};
+use prove_cap::commands::{AuditedListing, Source};
 use prove_cap::control::{Control, Why};
 use prove_cap::exact::{Arithmetic, Polynomial};
 use prove_cap::expand::{Basis, coefficients};
@@ -12,6 +13,13 @@ use prove_cap::{catalogue, report};
 
 fn statement(name: &str) -> Statement {
     Statement::read(&catalogue::find(name).unwrap().statement()).unwrap()
+}
+
+/// An audit against cap-2x2, to be printed.
+fn page(listing: &Listing, statement: &Statement, audit: &Audit) -> AuditedListing {
+    let (name, text) = ("cap-2x2".to_owned(), String::new());
+    let source = Source { name, text, statement: statement.clone(), cap: true };
+    AuditedListing { listing: listing.clone(), source, audit: audit.clone() }
 }
 
 fn audit(listing: &Listing, statement: &Statement) -> Audit {
@@ -229,7 +237,7 @@ fn true_coefficients_written_in_latex_agree() {
 fn the_latex_report_is_a_listing_of_the_truth() {
     let listing = Listing::from_toml(PAPER).unwrap();
     let statement = statement("cap-2x2");
-    let document = latex::audit(&listing, "cap-2x2", &statement, &audit(&listing, &statement));
+    let document = report::latex(&page(&listing, &statement, &audit(&listing, &statement))).unwrap();
     let reread = Listing::from_formulas("report", &document, Notation::Latex).unwrap();
     let again = audit(&reread, &statement);
     assert_eq!(again.findings.len(), 16);
@@ -268,11 +276,11 @@ fn missing_and_superfluous_terms_are_told_apart() {
     let statement = statement("cap-2x2");
     // True: a1 = (8√3/3)·w·z − 8·w − 4/3.
     let found = audit(&listing("a1 = (8√3/3)·w·z − 4/3"), &statement);
-    let text = report::describe_audit(&listing("a1 = (8√3/3)·w·z − 4/3"), "cap-2x2", &statement, &found);
+    let text = report::text(&page(&listing("a1 = (8√3/3)·w·z − 4/3"), &statement, &found)).unwrap();
     assert!(text.contains("the term in w is missing"), "{text}");
     let found = audit(&listing("a1 = (8√3/3)·w·z − 8·w + 5·z² − 4/3"), &statement);
     let row = listing("a1 = (8√3/3)·w·z − 8·w + 5·z² − 4/3");
-    let text = report::describe_audit(&row, "cap-2x2", &statement, &found);
+    let text = report::text(&page(&row, &statement, &found)).unwrap();
     assert!(text.starts_with("DIFFERS  1 of 1 printed"), "{text}");
 }
 
@@ -285,7 +293,7 @@ fn judged(claim: &str) -> (Judgement, String) {
     let listing = Listing::from_toml(&text).unwrap_or_else(|error| panic!("{error}"));
     let statement = statement("cap-2x2");
     let audit = audit(&listing, &statement);
-    let text = report::describe_audit(&listing, "cap-2x2", &statement, &audit);
+    let text = report::text(&page(&listing, &statement, &audit)).unwrap();
     (audit.claims[0].judgement, text)
 }
 

@@ -10,9 +10,9 @@ mod unique;
 
 use super::AuditError;
 use super::compare::Finding;
-use super::phrase::Phrase;
 use super::targets::Targets;
 use crate::control::Control;
+use crate::document::Phrase;
 use crate::exact::{Arithmetic, Limit, Polynomial};
 use crate::formats::listing::{
     Claim, ClaimKind, Expression, Listing, ListingError, ListingFault, Scope, Symbol,

@@ -2,11 +2,11 @@
 
 use super::{Claimed, Judged, Judgement};
 use crate::audit::AuditError;
-use crate::audit::phrase::Phrase;
 use crate::catalogue;
 use crate::certificate::Argument;
 use crate::checker::Claim;
 use crate::control::Control;
+use crate::document::Phrase;
 use crate::elimination::Undecided;
 use crate::formats::listing::Expectation;
 use crate::prove::{Attempt, Reason, prove};

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{Claimed, Judged, Judgement};
 use crate::algebra::{FieldElement, Polynomial, polynomial_to_exact};
 use crate::audit::AuditError;
-use crate::audit::phrase::Phrase;
+use crate::document::Phrase;
 use crate::exact;
 use crate::formats::listing::{Expression, Scope, Symbol};
 use crate::geometry::{CubeFace, dot};

@@ -5,9 +5,9 @@ use num_bigint::BigInt;
 use super::{Claimed, Judged, Judgement};
 use crate::approximation::{Enclosure, EnclosureError, Finding, enclose, judge};
 use crate::audit::AuditError;
-use crate::audit::phrase::Phrase;
 use crate::certificate::{Quantity, spell_decimal};
 use crate::control::Control;
+use crate::document::Phrase;
 use crate::exact::Polynomial;
 use crate::formats::listing::{Expression, Symbol};
 

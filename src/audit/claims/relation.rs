@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::{Claimed, Judged, Judgement};
 use crate::audit::AuditError;
-use crate::audit::phrase::Phrase;
 use crate::audit::targets::Targets;
+use crate::document::Phrase;
 use crate::exact::Polynomial;
 use crate::formats::listing::{Expression, Formula, Kind, Scope, Symbol};
 

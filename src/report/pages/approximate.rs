@@ -5,10 +5,11 @@ use serde::Serialize;
 use super::picture::{Picture, PictureData};
 use crate::approximation::{Objective, Search, UnreachableError};
 use crate::commands::{Approximated, Best, Gap, Verdict};
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::report::attempt::Files;
 use crate::report::bounds::{
-    EnclosureData, barrier_text, checked_text, enclosure_data, enclosure_details, enclosure_text, symbol,
+    EnclosureData, checked, enclosure_data, enclosure_details, enclosure_text, none_better, symbol,
 };
 use crate::report::headline::surface_equation;
 use crate::report::json::{ValueData, values_data};
@@ -108,36 +109,43 @@ impl Page for Approximating<'_> {
         self.approximated.verdict()
     }
 
-    fn text(&self) -> Result<String, Limit> {
+    fn document(&self) -> Result<Document, Limit> {
         let Approximated { source, degree, search, found, best } = self.approximated;
         let (name, statement, enclosure) = (&source.name, &source.statement, &found.enclosure);
         let goal = goal(search, &symbol(enclosure.bounds.quantity, *degree));
-        let (word, bounds) = (self.verdict(), enclosure_text(&enclosure.bounds, *degree));
-        let mut text = match best {
-            Best::Open(why) => format!(
-                "{word}  {name}: that no values do better than {} is not proved: {why}\n\n\
-                 Proved: {bounds} on the whole patch\n",
-                rounded(&self.approximated.reached(), 4, Towards::Above)
-            ),
-            _ => format!("{word}  {name}: {bounds} on the whole patch\n\n"),
+        let bounds = format!("{} on the whole patch", enclosure_text(&enclosure.bounds, *degree));
+        let mut document = Document::new(statement.ring());
+        let word = self.verdict().word();
+        if let Best::Open(why) = best {
+            let reached = rounded(&self.approximated.reached(), 4, Towards::Above);
+            let open = format!("{name}: that no values do better than {reached} is not proved: {why}");
+            document.headline(word, open);
+            document.gap();
+            document.line(0, format!("Proved: {bounds}"));
+        } else {
+            document.headline(word, format!("{name}: {bounds}"));
+            document.gap();
+        }
+        document.line(0, statement.title());
+        document.line(0, format!("Surface: {}", surface_equation(statement)));
+        let how_good = match best {
+            Best::Proved(_, gap) => format!("{goal}, proved up to {} of it", within(gap)),
+            Best::Zero => format!("{goal}: it is 0, and nothing is less"),
+            _ => format!("best found for: {goal}; found by search, not proved best"),
         };
-        text += &format!("{}\nSurface: {}\n", statement.title(), surface_equation(statement));
-        text += &match best {
-            Best::Proved(_, gap) => format!("{goal}, proved up to {} of it\n", within(gap)),
-            Best::Zero => format!("{goal}: it is 0, and nothing is less\n"),
-            _ => format!("best found for: {goal}; found by search, not proved best\n"),
-        };
-        text += &format!("at {}\n\n", self.taken());
-        text += &enclosure_details(statement, enclosure, *degree);
+        document.line(0, how_good);
+        document.line(0, format!("at {}", self.taken()));
+        document.gap();
+        enclosure_details(&mut document, statement, enclosure, *degree);
         if let Best::Proved(barrier, gap) = best {
-            text += &barrier_text(barrier, gap);
+            none_better(&mut document, barrier, gap);
         }
-        text += &checked_text(enclosure.proof.theorem(), &self.files);
+        checked(&mut document, enclosure.proof.theorem(), &self.files);
         if let (Best::Proved(barrier, _), Some(files)) = (best, &self.barrier) {
-            text += &checked_text(barrier.proof.theorem(), files);
+            checked(&mut document, barrier.proof.theorem(), files);
         }
-        text += &self.picture.as_ref().map_or_else(String::new, Picture::text);
-        Ok(text)
+        document.blocks.extend(self.picture.as_ref().map(Picture::block));
+        Ok(document)
     }
 
     fn data(&self) -> Result<ApproximatedData, Limit> {

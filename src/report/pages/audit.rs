@@ -1,10 +1,10 @@
 //! `audit`, of a listing and of a net.
 
 use crate::commands::{AuditedListing, AuditedNet, Verdict};
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::report::audit::describe_audit;
 use crate::report::audit_data::{AuditData, audit as audit_data};
-use crate::report::latex;
 use crate::report::net::{NetData, describe_net, net_data};
 use crate::report::page::Page;
 
@@ -15,14 +15,8 @@ impl Page for AuditedListing {
         AuditedListing::verdict(self)
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        let source = &self.source;
-        Ok(describe_audit(&self.listing, &source.name, &source.statement, &self.audit))
-    }
-
-    fn latex(&self) -> Option<String> {
-        let source = &self.source;
-        Some(latex::audit(&self.listing, &source.name, &source.statement, &self.audit))
+    fn document(&self) -> Result<Document, Limit> {
+        Ok(describe_audit(self))
     }
 
     fn data(&self) -> Result<AuditData, Limit> {
@@ -38,8 +32,8 @@ impl Page for AuditedNet {
         AuditedNet::verdict(self)
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        describe_net(&self.net, &self.audit)
+    fn document(&self) -> Result<Document, Limit> {
+        describe_net(self)
     }
 
     fn data(&self) -> Result<NetData, Limit> {

@@ -4,11 +4,11 @@ use serde::Serialize;
 
 use super::picture::{Picture, PictureData};
 use crate::commands::{Bounded, Verdict};
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::report::attempt::Files;
 use crate::report::bounds::{
-    EnclosureData, EndVerdictData, checked_text, enclosure_data, enclosure_details, enclosure_text, symbol,
-    verdict_text,
+    EnclosureData, EndVerdictData, checked, enclosure_data, enclosure_details, enclosure_text, judged, symbol,
 };
 use crate::report::headline::surface_equation;
 use crate::report::page::Page;
@@ -41,32 +41,35 @@ impl Page for Bounding<'_> {
         self.bounded.verdict()
     }
 
-    fn text(&self) -> Result<String, Limit> {
+    fn document(&self) -> Result<Document, Limit> {
         let Bounded { source, degree, enclosure, claim } = self.bounded;
-        let (name, statement, word) = (&source.name, &source.statement, self.verdict());
-        let enclosed = enclosure_text(&enclosure.bounds, *degree);
-        let surface = format!("Surface: {}", surface_equation(statement));
-        let mut text = match claim {
-            Some(([low, high], verdicts)) => {
-                let holds = match word {
-                    Verdict::Agrees => "holds",
-                    Verdict::Undecided => "is not decided",
-                    _ => "does not hold",
-                };
-                let symbol = symbol(enclosure.bounds.quantity, *degree);
-                format!(
-                    "{word}  {name}: the printed interval [{low}, {high}] {holds}\n{surface}\n\n{}\n\
-                     Proved: {enclosed} on the whole patch\n",
-                    verdict_text(verdicts, &symbol)
-                )
-            }
-            None => format!("{word}  {name}: {enclosed} on the whole patch\n{surface}\n"),
+        let (name, statement) = (&source.name, &source.statement);
+        let enclosed = format!("{} on the whole patch", enclosure_text(&enclosure.bounds, *degree));
+        let mut document = Document::new(statement.ring());
+        let holds = match self.verdict() {
+            Verdict::Agrees => "holds",
+            Verdict::Undecided => "is not decided",
+            _ => "does not hold",
         };
-        text += &format!("\n{}\n\n", statement.title());
-        text += &enclosure_details(statement, enclosure, *degree);
-        text += &checked_text(enclosure.proof.theorem(), &self.files);
-        text += &self.picture.as_ref().map_or_else(String::new, Picture::text);
-        Ok(text)
+        let sentence = match claim {
+            Some(([low, high], _)) => format!("{name}: the printed interval [{low}, {high}] {holds}"),
+            None => format!("{name}: {enclosed}"),
+        };
+        document.headline(self.verdict().word(), sentence);
+        document.line(0, format!("Surface: {}", surface_equation(statement)));
+        if let Some((_, verdicts)) = claim {
+            document.gap();
+            judged(&mut document, verdicts, &symbol(enclosure.bounds.quantity, *degree));
+            document.gap();
+            document.line(0, format!("Proved: {enclosed}"));
+        }
+        document.gap();
+        document.line(0, statement.title());
+        document.gap();
+        enclosure_details(&mut document, statement, enclosure, *degree);
+        checked(&mut document, enclosure.proof.theorem(), &self.files);
+        document.blocks.extend(self.picture.as_ref().map(Picture::block));
+        Ok(document)
     }
 
     fn data(&self) -> Result<BoundData, Limit> {

@@ -4,6 +4,7 @@ use prove_cap_kernel::command::verified;
 use serde::Serialize;
 
 use crate::commands::{Checked, Verdict};
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::report::json::{StatementData, statement};
 use crate::report::page::Page;
@@ -45,11 +46,15 @@ impl Page for Checking<'_> {
     }
 
     /// The words of the checker alone.
-    fn text(&self) -> Result<String, Limit> {
-        Ok(match &self.checked.0 {
-            Ok(theorem) => verified(theorem),
-            Err(rejection) => format!("{}  {}: {rejection}\n", self.verdict(), self.certificate),
-        })
+    fn document(&self) -> Result<Document, Limit> {
+        let mut document = Document::of_words();
+        match &self.checked.0 {
+            Ok(theorem) => document.source(0, verified(theorem)),
+            Err(rejection) => {
+                document.headline(self.verdict().word(), format!("{}: {rejection}", self.certificate));
+            }
+        }
+        Ok(document)
     }
 
     fn data(&self) -> Result<CheckedData, Limit> {
@@ -78,8 +83,10 @@ impl Page for Canonical {
         Verdict::Shown
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(self.canonical.clone())
+    fn document(&self) -> Result<Document, Limit> {
+        let mut document = Document::of_words();
+        document.source(0, self.canonical.as_str());
+        Ok(document)
     }
 
     fn data(&self) -> Result<Canonical, Limit> {

@@ -5,9 +5,10 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::commands::{Constructed, Tiled, Verdict};
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::report::attempt::Files;
-use crate::report::construction::{constructed_text, tiled_text};
+use crate::report::construction::{constructed, tiling};
 use crate::report::json::{CONVENTION, StatementData, net, statement};
 use crate::report::page::Page;
 use crate::statement::Subject;
@@ -42,9 +43,8 @@ impl Page for Constructing<'_> {
         Verdict::Exact
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        let Constructed { shape, made } = self.constructed;
-        constructed_text(&shape.name, &shape.polygon, made, &self.files)
+    fn document(&self) -> Result<Document, Limit> {
+        constructed(self.constructed, &self.files)
     }
 
     fn data(&self) -> Result<ConstructedData, Limit> {
@@ -100,8 +100,8 @@ impl Page for Tiling<'_> {
         self.tiled.verdict()
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(tiled_text(self.tiled, self.directory))
+    fn document(&self) -> Result<Document, Limit> {
+        Ok(tiling(self.tiled, self.directory))
     }
 
     fn data(&self) -> Result<TiledData, Limit> {

@@ -4,9 +4,10 @@ use serde::Serialize;
 
 use crate::commands::{Degrees, Shape, Verdict};
 use crate::construction::{Cell, Phase, classify};
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::report::attempt::Files;
-use crate::report::degrees::{ArgumentData, degrees_text, explain};
+use crate::report::degrees::{ArgumentData, classified, explain};
 use crate::report::page::Page;
 
 /// Which bidegrees are exact, and where what backs it is.
@@ -68,8 +69,8 @@ impl Page for Classifying<'_> {
         Verdict::Classified
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(degrees_text(self.degrees, self.closing.as_ref(), &self.nets))
+    fn document(&self) -> Result<Document, Limit> {
+        Ok(classified(self.degrees, self.closing.as_ref(), &self.nets))
     }
 
     fn data(&self) -> Result<DegreesData, Limit> {
@@ -122,7 +123,7 @@ impl Page for Explained {
         Verdict::Classified
     }
 
-    fn text(&self) -> Result<String, Limit> {
+    fn document(&self) -> Result<Document, Limit> {
         Ok(explain(&self.shape.name, &self.shape.polygon, self.bidegree))
     }
 

@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use crate::commands::{Expanded, Verdict};
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::expand::Basis;
-use crate::report::expansion::expansion_text;
+use crate::report::expansion::expansion;
 use crate::report::json::{CoefficientData, StatementData, listed, statement};
 use crate::report::page::Page;
 
@@ -25,8 +26,8 @@ impl Page for Expanded {
         Verdict::Shown
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(expansion_text(&self.source.statement, self.basis, self.coefficients.as_deref()))
+    fn document(&self) -> Result<Document, Limit> {
+        Ok(expansion(&self.source.statement, self.basis, self.coefficients.as_deref()))
     }
 
     fn data(&self) -> Result<ExpandedData, Limit> {

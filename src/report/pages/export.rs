@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::commands::{Exported, Verdict};
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::report::page::Page;
 
@@ -26,12 +27,20 @@ impl Page for ExportShown<'_> {
         Verdict::Shown
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(self.0.parts.iter().map(|(_, text)| text.as_str()).collect())
+    fn document(&self) -> Result<Document, Limit> {
+        let mut document = Document::of_words();
+        document.source(0, self.whole());
+        Ok(document)
     }
 
     fn data(&self) -> Result<ExportShownData, Limit> {
-        Ok(ExportShownData { name: self.0.name.clone(), text: self.text()? })
+        Ok(ExportShownData { name: self.0.name.clone(), text: self.whole() })
+    }
+}
+
+impl ExportShown<'_> {
+    fn whole(&self) -> String {
+        self.0.parts.iter().map(|(_, text)| text.as_str()).collect()
     }
 }
 
@@ -75,18 +84,17 @@ impl Page for ExportWritten {
         Verdict::Written
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        let word = self.verdict();
-        Ok(match self.files.as_slice() {
-            [(file, bytes)] => {
-                format!("{word}  {}: {bytes} bytes; the verdict is the other program's\n", file.display())
-            }
-            files => {
-                let lines =
-                    files.iter().map(|(file, bytes)| format!("{word}  {}: {bytes} bytes\n", file.display()));
-                lines.collect::<String>() + "The verdict is the other program's\n"
-            }
-        })
+    fn document(&self) -> Result<Document, Limit> {
+        let mut document = Document::of_words();
+        let other = "he verdict is the other program's";
+        for (file, bytes) in &self.files {
+            let alone = if self.files.len() == 1 { format!("; t{other}") } else { String::new() };
+            document.headline(self.verdict().word(), format!("{}: {bytes} bytes{alone}", file.display()));
+        }
+        if self.files.len() > 1 {
+            document.line(0, format!("T{other}"));
+        }
+        Ok(document)
     }
 
     fn data(&self) -> Result<ExportWrittenData, Limit> {

@@ -1,11 +1,10 @@
 //! `list`, and `--help`.
 
-use std::fmt::Write as _;
-
 use serde::Serialize;
 
 use crate::catalogue::FAMILY;
 use crate::commands::{Listed, Verdict};
+use crate::document::{Block, Column, Document, Table};
 use crate::exact::Limit;
 use crate::report::json::{StatementData, statement};
 use crate::report::page::Page;
@@ -35,14 +34,17 @@ impl Page for Listing {
         Verdict::Shown
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        let width = self.0.iter().map(|entry| entry.name.len()).max().unwrap_or(0);
-        let mut text = format!("{:<width$}  unknowns  about\n", "name");
+    fn document(&self) -> Result<Document, Limit> {
+        let columns = [Column::left(0), Column::right(2), Column::left(2)];
+        let mut table = Table::new(0, columns).headed(["name", "unknowns", "about"]);
         for Listed { name, summary, statement } in &self.0 {
-            let _ = writeln!(text, "{name:<width$}  {:>8}  {summary}", statement.unknowns().len());
+            table.row([(*name).to_owned(), statement.unknowns().len().to_string(), (*summary).to_owned()]);
         }
-        let _ = writeln!(text, "\nCaps of other degrees: {FAMILY}, M and N from 2.");
-        Ok(text)
+        let mut document = Document::of_words();
+        document.push(Block::Table(table));
+        document.gap();
+        document.line(0, format!("Caps of other degrees: {FAMILY}, M and N from 2."));
+        Ok(document)
     }
 
     fn data(&self) -> Result<ListingData, Limit> {
@@ -69,8 +71,10 @@ impl Page for Help {
         Verdict::Shown
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(self.help.clone())
+    fn document(&self) -> Result<Document, Limit> {
+        let mut document = Document::of_words();
+        document.source(0, self.help.as_str());
+        Ok(document)
     }
 
     fn data(&self) -> Result<Help, Limit> {

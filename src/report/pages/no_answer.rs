@@ -4,14 +4,15 @@ use serde::Serialize;
 
 use crate::commands::{Failure, Location, NoAnswer, Nonexistent, Rejected, Undecided, Verdict};
 use crate::control::Interrupted;
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::report::attempt::Files;
-use crate::report::construction::{impossible_headline, impossible_text};
+use crate::report::construction::{impossible, impossible_headline};
 use crate::report::degrees::ArgumentData;
 use crate::report::headline::surface_equation;
 use crate::report::json::FilesData;
 use crate::report::page::Page;
-use crate::report::stopped::{BestSoFarData, best_so_far_text, stopped_by};
+use crate::report::stopped::{BestSoFarData, best_so_far, stopped_by};
 
 /// Each kind has its members.
 #[derive(Debug, Serialize)]
@@ -34,12 +35,12 @@ impl Page for NoAnswer {
         NoAnswer::verdict(self)
     }
 
-    fn text(&self) -> Result<String, Limit> {
+    fn document(&self) -> Result<Document, Limit> {
         match self {
-            NoAnswer::Rejected(rejected) => rejected.text(),
-            NoAnswer::Failed(failure) => failure.text(),
-            NoAnswer::Undecided(undecided) => undecided.text(),
-            NoAnswer::Nonexistent(nonexistent) => nonexistent.text(),
+            NoAnswer::Rejected(rejected) => rejected.document(),
+            NoAnswer::Failed(failure) => failure.document(),
+            NoAnswer::Undecided(undecided) => undecided.document(),
+            NoAnswer::Nonexistent(nonexistent) => nonexistent.document(),
         }
     }
 
@@ -68,8 +69,10 @@ impl Page for Failure {
         Verdict::Failed
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(format!("ERROR: {}\n", self.message()))
+    fn document(&self) -> Result<Document, Limit> {
+        let mut document = Document::of_words();
+        document.headline(Verdict::Failed.word(), self.message());
+        Ok(document)
     }
 
     fn data(&self) -> Result<FailedData, Limit> {
@@ -92,13 +95,11 @@ impl Page for Rejected {
         Verdict::Rejected
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(format!(
-            "{}  {}: {}\nNothing is exported; --unchecked does it all the same.\n",
-            self.verdict(),
-            self.file,
-            self.rejection
-        ))
+    fn document(&self) -> Result<Document, Limit> {
+        let mut document = Document::of_words();
+        document.headline(self.verdict().word(), format!("{}: {}", self.file, self.rejection));
+        document.line(0, "Nothing is exported; --unchecked does it all the same.");
+        Ok(document)
     }
 
     fn data(&self) -> Result<RejectedData, Limit> {
@@ -131,12 +132,18 @@ impl Page for Undecided {
         Verdict::Undecided
     }
 
-    fn text(&self) -> Result<String, Limit> {
+    fn document(&self) -> Result<Document, Limit> {
         let name = if self.named { format!("{}: ", self.name) } else { String::new() };
-        let best = self.best.as_ref().map(|(statement, best)| best_so_far_text(statement, best));
-        let best = best.map_or_else(String::new, |best| format!("\n{best}"));
-        let surface = self.patch.as_ref().map(|patch| format!("Surface: {}\n", surface_equation(patch)));
-        Ok(format!("{}  {name}{}\n{}{best}", self.verdict(), self.reason, surface.unwrap_or_default()))
+        let mut document = Document::of_words();
+        document.headline(self.verdict().word(), format!("{name}{}", self.reason));
+        if let Some(patch) = &self.patch {
+            document.line(0, format!("Surface: {}", surface_equation(patch)));
+        }
+        if let Some((statement, best)) = &self.best {
+            document.gap();
+            best_so_far(&mut document, statement, best);
+        }
+        Ok(document)
     }
 
     fn data(&self) -> Result<UndecidedData, Limit> {
@@ -175,15 +182,14 @@ impl Page for Unchecked {
         Verdict::Undecided
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(format!(
-            "{}  {}: {}\n\nTo go on: prove-cap check {} {}\n",
-            self.verdict(),
-            self.name,
-            self.reason(),
-            self.files.statement.display(),
-            self.files.certificate.display()
-        ))
+    fn document(&self) -> Result<Document, Limit> {
+        let mut document = Document::of_words();
+        document.headline(self.verdict().word(), format!("{}: {}", self.name, self.reason()));
+        document.gap();
+        let [statement, certificate] =
+            [&self.files.statement, &self.files.certificate].map(|file| file.display());
+        document.line(0, format!("To go on: prove-cap check {statement} {certificate}"));
+        Ok(document)
     }
 
     fn data(&self) -> Result<UndecidedData, Limit> {
@@ -210,8 +216,8 @@ impl Page for Nonexistent {
         Verdict::Nonexistent
     }
 
-    fn text(&self) -> Result<String, Limit> {
-        Ok(impossible_text(self))
+    fn document(&self) -> Result<Document, Limit> {
+        Ok(impossible(self))
     }
 
     fn data(&self) -> Result<NonexistentData, Limit> {

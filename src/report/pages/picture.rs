@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::approximation::Enclosure;
 use crate::commands::Source;
 use crate::control::Interrupted;
+use crate::document::Block;
 use crate::report::bounds::{quantity_name, value_text};
 
 /// What became of it: a result stands without a picture.
@@ -28,10 +29,14 @@ pub(crate) enum PictureData {
 
 impl Picture {
     /// The line that tells of it.
-    pub(super) fn text(&self) -> String {
+    pub(super) fn block(&self) -> Block {
         match self {
-            Picture::Drawn(file) => format!("Picture      {}\n", file.display()),
-            Picture::NotDrawn(why) => format!("Picture      not drawn: {why}\n"),
+            Picture::Drawn(file) => Block::Figure(file.clone()),
+            Picture::NotDrawn(why) => Block::Field {
+                name: "Picture".to_owned(),
+                width: 13,
+                phrase: format!("not drawn: {why}").into(),
+            },
         }
     }
 

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::commands::{Proved, Verdict};
 use crate::control::Control;
+use crate::document::Document;
 use crate::exact::Limit;
 use crate::report::attempt::{Files, describe};
 use crate::report::json::{self, AttemptData};
@@ -33,15 +34,16 @@ impl Page for Proving<'_> {
         self.proved.verdict()
     }
 
-    fn text(&self) -> Result<String, Limit> {
+    fn document(&self) -> Result<Document, Limit> {
         let Proved { source, problem, attempt, extended } = self.proved;
         let named = (source.name.as_str(), self.called);
         let files = self.files.as_ref();
-        let mut text = describe(named, problem, source.cap, attempt, files, self.control)?;
+        let mut document =
+            describe(self.verdict(), named, problem, source.cap, attempt, files, self.control)?;
         if *extended {
-            text += &format!("Extended     radicands = {:?}\n", source.statement.field().values());
+            document.field("Extended", 13, format!("radicands = {:?}", source.statement.field().values()));
         }
-        Ok(text)
+        Ok(document)
     }
 
     fn data(&self) -> Result<ProvingData, Limit> {

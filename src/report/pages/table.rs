@@ -5,10 +5,11 @@ use serde::Serialize;
 
 use crate::certificate::spell_decimal;
 use crate::commands::{Line, ROWS, Table, Unfinished, Verdict};
+use crate::document::{self, Block, Column, Document};
 use crate::exact::Limit;
 use crate::report::page::Page;
 use crate::report::rounding::{Towards, rounded};
-use crate::report::stopped::{BestSoFarData, best_so_far_text, stopped_by};
+use crate::report::stopped::{BestSoFarData, best_so_far, stopped_by};
 
 /// The rows as far as they came.
 #[derive(Debug)]
@@ -62,15 +63,21 @@ impl Page for Tabled<'_> {
         self.0.verdict()
     }
 
-    fn text(&self) -> Result<String, Limit> {
+    fn document(&self) -> Result<Document, Limit> {
         let Table { lines, unfinished } = self.0;
-        let stopped = unfinished.as_ref().map(|stopped| unfinished_text(stopped, lines.len()));
-        let table = if lines.is_empty() { String::new() } else { table_text(lines) };
-        Ok(match stopped {
-            Some(stopped) if lines.is_empty() => stopped,
-            Some(stopped) => format!("{stopped}\n{table}"),
-            None => table,
-        })
+        let mut document = Document::of_words();
+        if let Some(stopped) = unfinished {
+            unfinished_row(&mut document, stopped, lines.len());
+        }
+        if !lines.is_empty() {
+            if unfinished.is_some() {
+                document.gap();
+            }
+            document.push(Block::Table(rows(lines)));
+            document.gap();
+            document.line(0, EXPLAINED);
+        }
+        Ok(document)
     }
 
     fn data(&self) -> Result<TableData, Limit> {
@@ -90,18 +97,15 @@ impl Page for Tabled<'_> {
     }
 }
 
-fn unfinished_text(stopped: &Unfinished, finished: usize) -> String {
-    let mut text = format!(
-        "{}  {}: {finished} of {} rows of the table were finished\n",
-        Verdict::Undecided,
-        stopped.why,
-        ROWS.len()
-    );
+fn unfinished_row(document: &mut Document, stopped: &Unfinished, finished: usize) {
+    let (why, all) = (&stopped.why, ROWS.len());
+    let sentence = format!("{why}: {finished} of {all} rows of the table were finished");
+    document.headline(Verdict::Undecided.word(), sentence);
     if let Some(best) = &stopped.best {
-        text += &format!("\n{}, {}\n", stopped.row.name, stopped.row.about);
-        text += &best_so_far_text(&stopped.statement, best);
+        document.gap();
+        document.line(0, format!("{}, {}", stopped.row.name, stopped.row.about));
+        best_so_far(document, &stopped.statement, best);
     }
-    text
 }
 
 fn row_data(line: &Line) -> RowData {
@@ -143,28 +147,27 @@ fn cells(line: &Line) -> [String; 8] {
     ]
 }
 
-fn table_text(lines: &[Line]) -> String {
-    let heading =
-        ["bidegree", "family", "name", "points", "unknowns", "max |r − 1|", "digits", "seam: gap; kink"]
-            .map(str::to_owned);
-    let rows: Vec<[String; 8]> = std::iter::once(heading).chain(lines.iter().map(cells)).collect();
-    let width: [usize; 8] =
-        std::array::from_fn(|k| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0));
-    let padded = |row: &[String; 8]| {
-        let cells = row
-            .iter()
-            .zip(width)
-            .map(|(cell, width)| format!("{cell}{}", " ".repeat(width - cell.chars().count())));
-        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
-    };
-    let table: Vec<String> = rows.iter().map(padded).collect();
-    format!(
-        "{}\n\nmax |r − 1| is a proved bound, rounded up. Values of unknowns are the best found by search, but for Eq. 13; that none are better\n\
-         is not proved here (`approximate NAME --prove-best` does, where it can). digits: decimal digits gained by one degree more. seam: of\n\
-         six patches around the cube, the largest distance of an edge from the plane between the faces, and the largest angle between\n\
-         tangent planes; measured at 1001 points of each edge in floating point, rounded up.\n",
-        table.join("\n")
-    )
+/// What the columns mean.
+const EXPLAINED: &str = "max |r − 1| is a proved bound, rounded up. Values of unknowns are the best found by search, but for Eq. 13; that none are better\n\
+    is not proved here (`approximate NAME --prove-best` does, where it can). digits: decimal digits gained by one degree more. seam: of\n\
+    six patches around the cube, the largest distance of an edge from the plane between the faces, and the largest angle between\n\
+    tangent planes; measured at 1001 points of each edge in floating point, rounded up.";
+
+fn rows(lines: &[Line]) -> document::Table {
+    let mut table = document::Table::new(0, [Column::left(2); 8]).headed([
+        "bidegree",
+        "family",
+        "name",
+        "points",
+        "unknowns",
+        "max |r − 1|",
+        "digits",
+        "seam: gap; kink",
+    ]);
+    for line in lines {
+        table.row(cells(line));
+    }
+    table
 }
 
 /// 1.3·10⁻⁷, rounded up.

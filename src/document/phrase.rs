@@ -13,10 +13,24 @@ pub enum Piece {
     Words(String),
     /// A polynomial in the unknowns of the statement.
     Formula(Polynomial),
+    /// The first terms of a polynomial that is longer than so many characters.
+    Shortened(Polynomial, usize),
     /// A polynomial that stands as a factor: in brackets if it is a sum.
     Factor(Polynomial),
     /// The label of a coefficient: `a14`.
     Label(String),
+}
+
+impl From<String> for Phrase {
+    fn from(words: String) -> Self {
+        Phrase::words(words)
+    }
+}
+
+impl From<&str> for Phrase {
+    fn from(words: &str) -> Self {
+        Phrase::words(words)
+    }
 }
 
 impl Phrase {
@@ -36,6 +50,13 @@ impl Phrase {
     #[must_use]
     pub fn formula(mut self, polynomial: &Polynomial) -> Self {
         self.0.push(Piece::Formula(polynomial.clone()));
+        self
+    }
+
+    /// Then a formula, cut where it is longer than so many characters.
+    #[must_use]
+    pub fn shortened(mut self, polynomial: &Polynomial, characters: usize) -> Self {
+        self.0.push(Piece::Shortened(polynomial.clone(), characters));
         self
     }
 
