@@ -42,7 +42,7 @@ impl Proof {
             Ok(theorem) => Ok(Proof { certificate, text, theorem: Box::new(theorem) }),
             Err(error) => Err(match error.limit() {
                 // The limit may be that the work was stopped.
-                Some(limit) => control.unless_stopped(NoProof::Limit(limit.clone())),
+                Some(limit) => control.unless_stopped(NoProof::Limit(*limit)),
                 None => NoProof::Refused(error),
             }),
         }
