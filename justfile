@@ -1,5 +1,8 @@
 # Recipes for people and for .ci/run. `just` lists them.
 
+export CARGO_TERM_COLOR := "never"
+set shell := ["bash", "-euo", "pipefail", "-c"]
+
 default:
     @just --list
 
@@ -14,16 +17,35 @@ lint:
     cargo clippy --lib --no-default-features -- -D warnings
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
 
-# The checker alone replays every committed proof.
+# The README's first command, twice, and the tables and nets beside it give the committed bytes.
+bytes:
+    cargo run --release --quiet -- | head -n 1
+    cargo run --release --quiet >/dev/null
+    for polygon in cube rhombic-dodecahedron deltoidal-icositetrahedron octant; do \
+        target/release/prove-cap degrees "$polygon" | head -n 1; done
+    target/release/prove-cap construct --bidegree 4 4 --centre "sqrt(6) - sqrt(2)" | head -n 1
+    git diff --exit-code -- proofs
+
+# The checker alone replays every committed proof, and a second checker, in Python, says the same of every file.
 replay:
     cargo build --release -p prove-cap-kernel
     scripts/replay target/release/prove-cap-check
+    python3 checkers/python/test_page.py
     python3 checkers/python/agree.py target/release/prove-cap-check
 
-# Coq and the computer-algebra systems that are installed verify every proof; five minutes.
-outside:
+# Coq and computer-algebra systems verify every proof and refuse a damaged copy of each; with names, those are required.
+outside *required:
     cargo build --release
-    scripts/outside target/release/prove-cap
+    scripts/outside {{ if required == "" { "" } else { "--require " + required } }} target/release/prove-cap
+
+# The audit of the paper as LaTeX compiles, and is read back to the true coefficients (needs pdflatex).
+latex:
+    cargo build --release
+    mkdir -p target/latex
+    target/release/prove-cap audit --format latex >target/latex/audit.tex || [ $? = 1 ]
+    cd target/latex && pdflatex -interaction=nonstopmode -halt-on-error audit.tex >/dev/null
+    target/release/prove-cap audit target/latex/audit.tex --statement cap-2x2 | head -n 1 | tee target/latex/verdict
+    grep -q '^AGREES  all 16' target/latex/verdict
 
 # Long tests.
 long:
@@ -32,13 +54,21 @@ long:
 # The examples run.
 examples:
     cargo run --quiet --example expand_a_patch
-    cargo run --quiet --example prove_a_statement
+    cargo run --quiet --example prove_a_statement >/dev/null
     cargo run --quiet --example check_a_certificate
 
-# The prover with GMP gives the same proofs (needs libgmp-dev and libmpfr-dev).
+# The prover with GMP gives the same proofs, long tests included (needs libgmp-dev, libmpfr-dev and m4).
 gmp:
-    cargo test --features gmp
+    cargo clippy --all-targets --features gmp -- -D warnings
+    cargo test --release --features gmp -- --include-ignored
 
+# The fuzz targets build (they are run with cargo-fuzz).
+fuzz-builds:
+    cargo check --quiet --manifest-path fuzz/Cargo.toml --target-dir target/fuzz
+
+# The benchmarks build.
+bench-builds:
+    cargo bench --no-run --quiet
 # Everything that must be green before a change is handed in.
 check: lint test replay examples
 

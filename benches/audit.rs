@@ -1,11 +1,12 @@
 //! How long an audit takes: the paper's formulas, its claims, and a net with one wrong sign.
 
 use divan::Bencher;
-use prove_cap::audit::net::{NetAudit, PrintedNet, from_json};
+use prove_cap::audit::net::NetAudit;
 use prove_cap::audit::{Audit, PAPER};
 use prove_cap::catalogue;
 use prove_cap::control::Control;
-use prove_cap::listing::Listing;
+use prove_cap::formats::listing::Listing;
+use prove_cap::formats::net::{PrintedNet, from_json};
 use prove_cap::statement::Statement;
 
 fn main() {

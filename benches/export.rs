@@ -4,7 +4,7 @@
 use divan::Bencher;
 use prove_cap::certificate::Certificate;
 use prove_cap::exact::Work;
-use prove_cap::export::{Case, Target, export};
+use prove_cap::formats::export::{Case, Target, export};
 use prove_cap::statement::Statement;
 
 fn main() {

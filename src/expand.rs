@@ -1,19 +1,11 @@
 //! The coefficients of the surface condition in both bases, each with its name.
 
 use crate::algebra::polynomial_to_exact;
+pub use crate::bezier::Basis;
 use crate::control::{Control, Interrupted};
 use crate::exact::{Limit, Polynomial};
 use crate::problem::Problem;
 use crate::statement::Statement;
-
-/// In which basis F is expanded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Basis {
-    /// uʳ(1−u)^(M−r)·vˢ(1−v)^(N−s): the coefficients `c[r,s]` of certificates.
-    Bernstein,
-    /// uⁱvʲ: the coefficients `a[i,j]`; a1, …, a16 of the paper (Eq. 10, 11) are those with i, j = 1, …, 4, row by row.
-    Monomial,
-}
 
 /// One coefficient.
 #[derive(Debug, Clone, PartialEq, Eq)]

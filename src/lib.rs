@@ -26,6 +26,7 @@ pub mod proof;
 pub mod algebra;
 pub mod bezier;
 pub mod geometry;
+pub mod formats;
 pub mod elimination;
 pub mod problem;
 pub mod catalogue;
@@ -33,12 +34,10 @@ pub mod prove;
 pub mod approximation;
 pub mod construction;
 pub mod expand;
-pub mod listing;
 pub mod document;
 pub mod audit;
 #[cfg(feature = "figures")]
 pub mod figure;
-pub mod export;
 pub mod commands;
 pub mod report;
 

@@ -3,7 +3,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use prove_cap::exact::{Radicands, Ring, Work};
-use prove_cap::listing::{Notation, Scope};
+use prove_cap::formats::listing::{Notation, Scope};
 use prove_cap::report::latex::formula;
 
 fuzz_target!(|text: &str| {

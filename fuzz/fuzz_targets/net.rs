@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use prove_cap::audit::net::{Convention, from_json, from_matlab};
+use prove_cap::formats::net::{Convention, from_json, from_matlab};
 
 fuzz_target!(|text: &str| {
     let _ = from_json(text);

@@ -3,7 +3,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use prove_cap::exact::{Radicands, Work};
-use prove_cap::listing::{Listing, Notation, Scope};
+use prove_cap::formats::listing::{Listing, Notation, Scope};
 
 fuzz_target!(|text: &str| {
     let _ = Listing::from_toml(text);

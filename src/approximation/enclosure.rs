@@ -159,8 +159,7 @@ fn around(point: &[BigRational; 2]) -> String {
 /// What is bounded along the patch of a statement; nothing for a system.
 pub fn quantity_of(statement: &Statement) -> Option<Quantity> {
     let Subject::Patch(patch) = statement.subject() else { return None };
-    let sphere = statement.coordinate_ring().read("X^2 + Y^2 + Z^2 - W^2", &mut Work::full()).ok();
-    Some(if sphere.as_ref() == Some(&patch.surface) { Quantity::Radius } else { Quantity::Ratio })
+    Some(if patch.is_on_unit_sphere() { Quantity::Radius } else { Quantity::Ratio })
 }
 
 /// The patch of a statement with values for its unknowns.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::correction::{Correction, corrections};
 use super::targets::{Target, Targets};
 use crate::exact::{Limit, Monomial, Polynomial, Radicands, Work};
-use crate::listing::{Expression, Scope, Symbol};
+use crate::formats::listing::{Expression, Scope, Symbol};
 use crate::statement::Place;
 
 /// What became of one printed coefficient.

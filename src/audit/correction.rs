@@ -12,7 +12,7 @@ use num_traits::{One, Zero};
 
 use super::site::{Site, change_site, count_sites, site};
 use crate::exact::{Monomial, Polynomial, Work};
-use crate::listing::{Expression, Kind, Scope, Symbol};
+use crate::formats::listing::{Expression, Kind, Scope, Symbol};
 use crate::statement::Place;
 
 /// The most sites that are changed.

@@ -23,7 +23,8 @@ use compare::{Printed, compare, explain};
 use crate::control::{Control, Interrupted};
 use crate::exact::{Limit, Stop, Work};
 use crate::expand::ExpansionError;
-use crate::listing::{Listing, ListingError, ListingFault, Meaning, Scope, Symbol};
+use crate::formats::listing::{Listing, ListingError, ListingFault, Meaning, Scope, Symbol};
+use crate::formats::net::NetError;
 use crate::statement::{Place, Statement};
 
 /// The paper's listing: Eq. 11, and what the paper claims beside it.
@@ -79,6 +80,16 @@ pub enum AuditError {
     /// Stopped by the user or by the clock.
     #[error("stopped: {0}")]
     Interrupted(#[from] Interrupted),
+}
+
+impl From<NetError> for AuditError {
+    fn from(error: NetError) -> Self {
+        match error {
+            NetError::Net(words) => AuditError::Net(words),
+            NetError::Expression(error) => AuditError::Listing(error),
+            NetError::Limit(limit) => AuditError::Limit(limit),
+        }
+    }
 }
 
 impl From<ExpansionError> for AuditError {

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::correction::Change;
-use crate::listing::{Expression, Kind, Operator, Signed};
+use crate::formats::listing::{Expression, Kind, Operator, Signed};
 
 /// A place that can be changed.
 pub(super) enum Site<'a> {

@@ -3,7 +3,7 @@
 use crate::control::Control;
 use crate::exact::Polynomial;
 use crate::expand::{Basis, Coefficient, ExpansionError, coefficients_of};
-use crate::listing::Symbol;
+use crate::formats::listing::Symbol;
 use crate::problem::Problem;
 use crate::statement::{Statement, Subject};
 

@@ -6,7 +6,9 @@ use super::parts;
 use super::symmetry::{ALL, ROTATIONS, orbit};
 use super::weighted::WeightedArc;
 use crate::algebra::MultiquadraticField;
+use crate::formats::statement_file::{Draft, DraftSubject, Layout};
 use crate::geometry::CubeFace;
+use crate::statement::{Convention, UNIT_SPHERE};
 
 /// The motions of the square that map the net to itself (Schönflies notation).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,7 +57,6 @@ impl Cap {
 
     /// The statement file.
     pub fn statement(&self) -> String {
-        let (m, n) = self.bidegree;
         let points: Vec<Vec<Entries>> = self.net();
         let words = points.iter().flatten().flatten().flat_map(|entry| {
             entry.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| *word != "sqrt")
@@ -69,22 +70,18 @@ impl Cap {
         if self.corner_weight {
             unknowns.push("d".into());
         }
-        let quoted = |names: &[String]| names.iter().map(|name| format!("\"{name}\"")).join(", ");
-
-        let mut text = String::new();
-        text += &format!("# {}\n", self.remark());
-        text += &format!("title = \"{}\"\n", self.title());
-        text += "radicands = [2, 3]\n";
-        text += &format!("unknowns = [{}]\n", quoted(&unknowns));
-        if self.corner_weight {
-            text += "nonzero = [\"d\"]\n";
-        }
-        text +=
-            &format!("convention = \"{}\"\n", if self.is_cartesian() { "cartesian" } else { "homogeneous" });
-        text += &format!("bidegree = [{m}, {n}]\n");
-        text += "surface = \"X^2 + Y^2 + Z^2 - W^2\"\n\n";
-        text += &net_to_toml(&points);
-        text
+        let convention = if self.is_cartesian() { Convention::Cartesian } else { Convention::Homogeneous };
+        let surface = Some(UNIT_SPHERE.to_owned());
+        let draft = Draft {
+            remark: self.remark().iter().map(|line| (*line).to_owned()).collect(),
+            title: self.title(),
+            radicands: vec![2, 3],
+            unknowns,
+            nonzero: if self.corner_weight { vec!["d".to_owned()] } else { Vec::new() },
+            subject: DraftSubject::Patch { convention, surface, net: points, layout: Layout::Columns },
+            define: Vec::new(),
+        };
+        draft.text()
     }
 
     fn is_cartesian(&self) -> bool {
@@ -107,36 +104,32 @@ impl Cap {
         format!("Spherical cap over a cube face, bidegree ({m},{n}), {interior}{edges}")
     }
 
-    fn remark(&self) -> String {
+    fn remark(&self) -> Vec<&'static str> {
         let rows = "Rows along u (y increasing), points along v (x increasing): [wx, wy, wz, w].";
         let edges = "The edges are the rational quadratic arcs of the inscribed cube, raised in degree.";
         match (self.corner_weight, self.interior, self.bidegree) {
-            (true, Interior::Free(Symmetry::None), (2, 2)) => [
+            (true, Interior::Free(Symmetry::None), (2, 2)) => vec![
                 "Scaling the patch and reparametrising u -> au/(1-u+au), v likewise, makes three corner weights 1.",
                 "The fourth is d^2 > 0, and an edge between weights p and q has the middle weight sqrt(2/3)*sqrt(p*q).",
-            ]
-            .join("\n# "),
-            (true, ..) => [
+            ],
+            (true, ..) => vec![
                 rows,
                 edges,
                 "Scaling the patch and reparametrising u -> au/(1-u+au), v likewise, makes all corner weights 1",
                 "but one, or with the half-turn but an opposite pair. Such a weight is d^2 > 0.",
-            ]
-            .join("\n# "),
-            (_, Interior::OnAxis, _) => [
+            ],
+            (_, Interior::OnAxis, _) => vec![
                 "Rows i = 0, 1, 2 along u (y increasing), points j = 0, 1, 2 along v (x increasing): [x, y, z, w].",
                 "Corners of the cube inscribed in the unit sphere; tangents of the edges meet in the middle points.",
-            ]
-            .join("\n# "),
-            (_, _, (2, 2)) => rows.to_owned(),
-            (_, Interior::Free(Symmetry::None | Symmetry::C2), _) => [
+            ],
+            (_, _, (2, 2)) => vec![rows],
+            (_, Interior::Free(Symmetry::None | Symmetry::C2), _) => vec![
                 rows,
                 edges,
                 "The interior is the sum of its parts: X11 keeps its sign under the reflections u -> 1-u, y -> -y and",
                 "v -> 1-v, x -> -x of the cap; X11u, X11v, X11uv change it under the first, the second, both.",
-            ]
-            .join("\n# "),
-            _ => [rows, edges].join("\n# "),
+            ],
+            _ => vec![rows, edges],
         }
     }
 
@@ -188,23 +181,4 @@ impl Cap {
         };
         [signed(x), signed(y), format!("Z{index}"), format!("W{index}")]
     }
-}
-
-fn net_to_toml(points: &[Vec<Entries>]) -> String {
-    let widths: [usize; 4] =
-        std::array::from_fn(|k| points.iter().flatten().map(|point| point[k].len()).max().unwrap_or(0));
-    let mut text = String::from("net = [\n");
-    for row in points {
-        text += "  [\n";
-        for point in row {
-            let quoted = point.iter().zip(widths).enumerate().map(|(k, (entry, width))| {
-                let comma = if k < 3 { "," } else { "" };
-                // Padding stands outside the quotes.
-                format!("\"{entry}\"{comma}{}", " ".repeat(width - entry.len()))
-            });
-            text += &format!("    [{}],\n", quoted.collect::<Vec<_>>().join(" ").trim_end());
-        }
-        text += "  ],\n";
-    }
-    text + "]\n"
 }

@@ -1,10 +1,10 @@
 //! Statements without unknowns: nets that are known exactly.
 
-use itertools::Itertools;
-
 use super::cap::Cap;
-use crate::algebra::{FieldElement, spell};
+use crate::algebra::spell;
+use crate::formats::statement_file::{Draft, DraftSubject, Layout};
 use crate::geometry::{CubeFace, Moduli, Point, Polygon, quadrilateral};
+use crate::statement::{Convention, UNIT_SPHERE};
 
 /// The patch of bidegree (4,2) that covers the cap exactly, its corners of weight 1.
 pub(super) fn statement() -> String {
@@ -27,23 +27,21 @@ pub fn normalised(net: &[Vec<Point>]) -> Vec<Vec<Point>> {
 
 /// The statement file that this net, premultiplied by its weights, lies on the unit sphere.
 pub fn net_statement(title: &str, remark: &str, net: &[Vec<Point>]) -> String {
-    let field = net[0][0][0].field();
-    let point = |entries: &[FieldElement; 4]| {
-        format!("[{}]", entries.iter().map(|entry| format!("\"{}\"", spell(entry))).join(", "))
+    let points = |row: &Vec<Point>| row.iter().map(|point| point.each_ref().map(spell)).collect();
+    let subject = DraftSubject::Patch {
+        convention: Convention::Homogeneous,
+        surface: Some(UNIT_SPHERE.to_owned()),
+        net: net.iter().map(points).collect(),
+        layout: Layout::Points,
     };
-    let row = |points: &Vec<Point>| format!("  [\n    {},\n  ],\n", points.iter().map(point).join(",\n    "));
-    format!(
-        "# {remark}\n\
-         title = \"{title}\"\n\
-         radicands = [{}]\n\
-         unknowns = []\n\
-         convention = \"homogeneous\"\n\
-         bidegree = [{}, {}]\n\
-         surface = \"X^2 + Y^2 + Z^2 - W^2\"\n\n\
-         net = [\n{}]\n",
-        field.radicands().iter().join(", "),
-        net.len() - 1,
-        net[0].len() - 1,
-        net.iter().map(row).join("")
-    )
+    let draft = Draft {
+        remark: vec![remark.to_owned()],
+        title: title.to_owned(),
+        radicands: net[0][0][0].field().radicands().to_vec(),
+        unknowns: Vec::new(),
+        nonzero: Vec::new(),
+        subject,
+        define: Vec::new(),
+    };
+    draft.text()
 }

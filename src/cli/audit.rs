@@ -5,10 +5,10 @@ use super::control::under_control;
 use super::files::read_limited;
 use super::outcome::{Format, Outcome};
 use super::source::{beside, find};
-use crate::audit::net::Convention;
 use crate::commands::{self, Failure, FileKind, Printed, Source};
 use crate::control::Control;
-use crate::listing::Listing;
+use crate::formats::listing::Listing;
+use crate::formats::net::Convention;
 
 pub(super) fn run(options: &AuditOptions, format: Format) -> Result<Outcome, Failure> {
     let place = options.file.as_deref().map(|file| file.display().to_string());

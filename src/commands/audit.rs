@@ -1,11 +1,12 @@
 //! `audit`: a printed listing, or a printed control net, against the truth.
 
 use super::{Failure, NoAnswer, Source, Undecided, Verdict};
-use crate::audit::net::{NetAudit, PrintedNet};
+use crate::audit::net::NetAudit;
 use crate::audit::{Audit, AuditError};
 use crate::control::Control;
 use crate::exact::Ring;
-use crate::listing::{Listing, in_statement_language};
+use crate::formats::listing::{Listing, in_statement_language};
+use crate::formats::net::PrintedNet;
 use crate::statement::COORDINATES;
 
 /// A listing of formulas, held against a statement.

@@ -7,7 +7,7 @@ use crate::certificate::Certificate;
 use crate::checker::{CheckError, check_read_within};
 use crate::control::Control;
 use crate::elimination;
-use crate::export::{self, Case, ExportError, Target, pac_files};
+use crate::formats::export::{self, Case, ExportError, Target, pac_files};
 use crate::prove::{Attempt, Reason, prove};
 
 /// The certificate that is exported.

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::certificate::CertificateError;
 use crate::exact::Limit;
-use crate::listing::ListingError;
+use crate::formats::listing::ListingError;
 use crate::statement::StatementError;
 
 /// Why a command could not be carried out.

@@ -3,8 +3,8 @@
 use super::Failure;
 use crate::algebra::{FieldElement, MultiquadraticField, polynomial_from_exact};
 use crate::exact::Radicands;
+use crate::formats::listing::read_constant;
 use crate::geometry::{NamedPolygon, POLYGONS, Polygon, Vector};
-use crate::listing::read_constant;
 
 /// Names of tilings whose corners lie in no field this program has, and why.
 const FIVEFOLD: [&str; 2] = ["rhombic-triacontahedron", "deltoidal-hexecontahedron"];

@@ -5,9 +5,11 @@ use std::path::Path;
 use super::audit::failure;
 use super::{Failure, Source};
 use crate::audit::PAPER;
-use crate::audit::net::{Convention, PrintedNet, from_json, from_matlab};
 use crate::control::Control;
-use crate::listing::{LISTING_BYTES, Listing, Notation, convention_word, decode, is_expansion, is_net};
+use crate::formats::listing::{
+    LISTING_BYTES, Listing, Notation, convention_word, decode, is_expansion, is_net,
+};
+use crate::formats::net::{Convention, PrintedNet, from_json, from_matlab};
 
 /// Bytes of a file that may be JSON: what is written for a statement may have its proof beside it.
 pub const JSON_BYTES: u64 = 16 << 20;
@@ -86,7 +88,7 @@ impl Printed {
         let convention = convention.unwrap_or(Convention::Homogeneous);
         PrintedNet::from_statement(&source.statement, convention)
             .map(Printed::Net)
-            .map_err(|error| failure(place, error))
+            .map_err(|error| failure(place, error.into()))
     }
 
     /// The bytes of a file.
@@ -116,7 +118,7 @@ impl Printed {
                 return Ok(Printed::Listing(Box::new(listing), Some(Box::new(own))));
             }
             FileKind::Json => {
-                let net = from_json(text).map_err(|error| failure(&place, error))?;
+                let net = from_json(text).map_err(|error| failure(&place, error.into()))?;
                 let convention = stated.unwrap_or(net.convention);
                 return Ok(Printed::Net(PrintedNet { convention, ..net }));
             }
@@ -128,7 +130,8 @@ impl Printed {
                          --convention homogeneous (premultiplied) or --convention cartesian",
                     ));
                 };
-                let net = from_matlab(text, &title, convention).map_err(|error| failure(&place, error))?;
+                let net =
+                    from_matlab(text, &title, convention).map_err(|error| failure(&place, error.into()))?;
                 return Ok(Printed::Net(net));
             }
         };

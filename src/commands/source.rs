@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use super::Failure;
-use crate::audit::net::statement_from_json;
 use crate::catalogue;
 use crate::control::Control;
 use crate::exact::Work;
+use crate::formats::net::statement_from_json;
 use crate::statement::Statement;
 
 /// A statement with where it came from.

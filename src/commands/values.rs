@@ -1,7 +1,7 @@
 //! Values of the unknowns, by name.
 
 use crate::exact::Polynomial;
-use crate::listing::read_constant;
+use crate::formats::listing::read_constant;
 use crate::statement::Statement;
 
 /// Why there is not one value for each unknown.

@@ -7,6 +7,7 @@
 use crate::algebra::{FieldElement, Polynomial, polynomial_to_exact, spell};
 use crate::certificate::{Argument, Premise, Step};
 use crate::exact::Limit;
+use crate::formats::statement_file::{Draft, DraftSubject};
 use crate::geometry::{Complex, Polygon};
 
 /// a_k, b_k with c_k = a_k + i·b_k.
@@ -15,26 +16,29 @@ const UNKNOWNS: [&str; 8] = ["a1", "b1", "a2", "b2", "a3", "b3", "a4", "b4"];
 /// The statement file: Im(c̄_k·c_l·⟨s_k, s_l⟩) = 0 around the quadrilateral, no c_k zero.
 pub fn closing_statement(polygon: &Polygon, title: &str) -> String {
     let spinors = polygon.spinors();
-    let mut text = format!(
-        "# The closing condition of a quadrilateral: c_k = a_k + i*b_k times a spinor of corner k is the spinor of a patch there.\n\
-         # An edge in a great circle makes the product of those at its ends real: g_k = p_k + i*q_k is that of corners k and k + 1.\n\
-         title = \"{title}\"\nradicands = [{}]\nunknowns = [{}]\n",
-        polygon.field().radicands().iter().map(u32::to_string).collect::<Vec<_>>().join(", "),
-        UNKNOWNS.map(|name| format!("\"{name}\"")).join(", ")
-    );
-    let assumed: Vec<String> = (1..=4).map(|k| format!("\"a{k}^2 + b{k}^2\"")).collect();
-    text += &format!("nonzero = [{}]\npolynomials = [\n", assumed.join(", "));
-    for k in 1..=4 {
+    let polynomials = (1..=4).map(|k| {
         let l = k % 4 + 1;
         // c̄_k·c_l = (a_k a_l + b_k b_l) + i(a_k b_l − b_k a_l).
-        text += &format!("  \"p{k}*(a{k}*b{l} - b{k}*a{l}) + q{k}*(a{k}*a{l} + b{k}*b{l})\",\n");
-    }
-    text += "]\n\n[define]\n";
-    for k in 0..4 {
+        format!("p{k}*(a{k}*b{l} - b{k}*a{l}) + q{k}*(a{k}*a{l} + b{k}*b{l})")
+    });
+    let products = (0..4).flat_map(|k| {
         let Complex { re, im } = spinors[k].product(&spinors[(k + 1) % 4]);
-        text += &format!("p{} = \"{}\"\nq{} = \"{}\"\n", k + 1, spell(&re), k + 1, spell(&im));
-    }
-    text
+        [(format!("p{}", k + 1), spell(&re)), (format!("q{}", k + 1), spell(&im))]
+    });
+    let remark = [
+        "The closing condition of a quadrilateral: c_k = a_k + i*b_k times a spinor of corner k is the spinor of a patch there.",
+        "An edge in a great circle makes the product of those at its ends real: g_k = p_k + i*q_k is that of corners k and k + 1.",
+    ];
+    let draft = Draft {
+        remark: remark.map(str::to_owned).into(),
+        title: title.to_owned(),
+        radicands: polygon.field().radicands().to_vec(),
+        unknowns: UNKNOWNS.map(str::to_owned).into(),
+        nonzero: (1..=4).map(|k| format!("a{k}^2 + b{k}^2")).collect(),
+        subject: DraftSubject::System(polynomials.collect()),
+        define: products.collect(),
+    };
+    draft.text()
 }
 
 /// A complex number whose parts are polynomials.

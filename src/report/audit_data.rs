@@ -1,4 +1,4 @@
-//! `prove-cap audit` as data. The schema is described in `LISTINGS.md`.
+//! `prove-cap audit` as data. The schema is described in `docs/listings.md`.
 
 use serde::Serialize;
 
@@ -8,7 +8,7 @@ use super::stopped::stopped_by;
 use super::text::phrase_text;
 use crate::audit::{Audit, Change, Correction, Finding, Judgement, Relation, Target};
 use crate::exact::{Polynomial, Ring};
-use crate::listing::Listing;
+use crate::formats::listing::Listing;
 use crate::statement::Statement;
 
 /// An audit.

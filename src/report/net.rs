@@ -9,10 +9,11 @@ use super::json::{StatementData, statement as statement_data};
 use super::mathematics::Notation;
 use super::stopped::{cut_short, stopped_by};
 use crate::audit::decimal;
-use crate::audit::net::{Convention, NetAudit, NetChange, NetCorrection, PrintedNet, Reading};
+use crate::audit::net::{NetAudit, NetChange, NetCorrection, Reading};
 use crate::commands::AuditedNet;
 use crate::document::{Block, Document, Equations, Phrase};
 use crate::exact::{Limit, Polynomial, Radicands, Ring};
+use crate::formats::net::{Convention, PrintedNet};
 
 /// Coefficients and corrections that are printed.
 const SHOWN: usize = 12;

@@ -8,13 +8,14 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
 use prove_cap::audit::Audit;
-use prove_cap::audit::net::{Convention, NetAudit, from_json, statement_from_json};
+use prove_cap::audit::net::NetAudit;
 use prove_cap::catalogue;
 use prove_cap::commands::{Expanded, Source, expand};
 use prove_cap::control::Control;
 use prove_cap::exact::{Monomial, Polynomial, Radicands};
 use prove_cap::expand::Basis;
-use prove_cap::listing::{Listing, Notation, is_expansion, read_constant};
+use prove_cap::formats::listing::{Listing, Notation, is_expansion, read_constant};
+use prove_cap::formats::net::{Convention, from_json, statement_from_json};
 use prove_cap::report::{self, bounds::value_text, json};
 use prove_cap::statement::Statement;
 use serde_json::{Value, json as object};
@@ -313,7 +314,7 @@ fn rounded_nets_keep_their_bound() {
     let net = from_json(&cobb).unwrap();
     for convention in [Convention::Homogeneous, Convention::Cartesian] {
         let statement = Statement::read(&net.statement()).unwrap();
-        let net = prove_cap::audit::net::PrintedNet::from_statement(&statement, convention).unwrap();
+        let net = prove_cap::formats::net::PrintedNet::from_statement(&statement, convention).unwrap();
         for places in [2u32, 7, 15] {
             let mut rounded = net.clone();
             for entry in rounded.points.iter_mut().flatten().flatten() {

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use proptest::prelude::*;
 use prove_cap::algebra::{MultiquadraticField, polynomial_from_exact};
 use prove_cap::exact::{Monomial, NoRoot, Polynomial, Radicands, Ring, Work, sign};
-use prove_cap::listing::{Expression, Scope};
+use prove_cap::formats::listing::{Expression, Scope};
 use prove_cap::report::Notation;
 use prove_cap::statement::{Statement, StatementFault};
 

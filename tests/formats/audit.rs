@@ -6,7 +6,7 @@ use prove_cap::commands::{AuditedListing, Source};
 use prove_cap::control::{Control, Why};
 use prove_cap::exact::Polynomial;
 use prove_cap::expand::{Basis, coefficients};
-use prove_cap::listing::{Listing, Notation};
+use prove_cap::formats::listing::{Listing, Notation};
 use prove_cap::report::latex;
 use prove_cap::statement::Statement;
 use prove_cap::{catalogue, report};
@@ -264,7 +264,10 @@ fn a_coefficient_that_belongs_elsewhere_is_recognised() {
     let listing = Listing::from_formulas("", &two, Notation::Plain).unwrap();
     let found = audit(&listing, &statement);
     assert_eq!(wrong(&found), ["a1,2"]);
-    assert_eq!(found.findings[0].relations, [Relation::Other(prove_cap::listing::Symbol::new("a2,2"))]);
+    assert_eq!(
+        found.findings[0].relations,
+        [Relation::Other(prove_cap::formats::listing::Symbol::new("a2,2"))]
+    );
 }
 
 #[test]

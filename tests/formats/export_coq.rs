@@ -10,7 +10,7 @@ use std::process::Command;
 use crate::support::{LARGEST, committed, damaged, folders, negated, not_run, parsed, proved, refutations};
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::exact::Polynomial;
-use prove_cap::export::{Case, ExportError, Target, export};
+use prove_cap::formats::export::{Case, ExportError, Target, export};
 use prove_cap::statement::Statement;
 
 const AXIOMS: [&str; 3] = [

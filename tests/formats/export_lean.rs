@@ -7,7 +7,7 @@ use crate::support::{LARGEST, committed, damaged, folders};
 use num_bigint::BigInt;
 use prove_cap::certificate::{Argument, Certificate, Premise};
 use prove_cap::exact::{Polynomial, Work};
-use prove_cap::export::{Case, ExportError, Target, export};
+use prove_cap::formats::export::{Case, ExportError, Target, export};
 use prove_cap::statement::{COORDINATES, Statement, Subject};
 
 fn written(statement: &Statement, certificate: &Certificate) -> String {

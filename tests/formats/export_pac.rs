@@ -10,7 +10,7 @@ use num_traits::Zero;
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::checker::Equations;
 use prove_cap::exact::{Polynomial, Work};
-use prove_cap::export::{Case, ExportError, Target, export, pac_files};
+use prove_cap::formats::export::{Case, ExportError, Target, export, pac_files};
 use prove_cap::statement::Statement;
 
 fn written(statement: &Statement, certificate: &Certificate) -> [(&'static str, String); 3] {

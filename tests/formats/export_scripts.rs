@@ -10,7 +10,7 @@ use prove_cap::catalogue::ENTRIES;
 use prove_cap::certificate::{Argument, Certificate, Premise, Step};
 use prove_cap::checker::check_read;
 use prove_cap::exact::Polynomial;
-use prove_cap::export::{Case, Target, export, text::harmless};
+use prove_cap::formats::export::{Case, Target, export, text::harmless};
 use prove_cap::statement::Statement;
 
 const TARGETS: [Target; 5] =

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
 use prove_cap::exact::{Monomial, Polynomial, Radicands, Ring, Work};
-use prove_cap::listing::{Listing, Notation, Scope};
+use prove_cap::formats::listing::{Listing, Notation, Scope};
 use prove_cap::report::latex::{formula, prose};
 use prove_cap::report::{self};
 
@@ -92,7 +92,7 @@ fn plain_text_means_what_programs_print() {
 /// The labels of a text, formula by formula.
 fn labels(notation: Notation, text: &str) -> Vec<Vec<String>> {
     let formulas = notation.read(text).unwrap_or_else(|error| panic!("{error}"));
-    let names = |formula: &prove_cap::listing::Formula| {
+    let names = |formula: &prove_cap::formats::listing::Formula| {
         formula.labels.iter().map(|(label, _)| label.to_string()).collect()
     };
     formulas.iter().map(names).collect()

@@ -2,9 +2,10 @@
 
 use std::fs;
 
-use prove_cap::audit::net::{Convention, NetAudit, NetChange, PrintedNet, from_json, from_matlab};
+use prove_cap::audit::net::{NetAudit, NetChange};
 use prove_cap::control::Control;
 use prove_cap::exact::Polynomial;
+use prove_cap::formats::net::{Convention, PrintedNet, from_json, from_matlab};
 
 fn audit(net: &PrintedNet) -> NetAudit {
     NetAudit::of(net, &Control::default()).unwrap_or_else(|error| panic!("{error}"))

@@ -20,10 +20,10 @@ fn folders_of(folder: &str) -> usize {
     1 + inner.map(|path| folders_of(path.to_str().unwrap())).sum::<usize>()
 }
 
-/// The rows of the README's table of trusted lines. `PROVE_CAP_UPDATE=1` corrects them.
+/// The rows of the table of trusted lines. `PROVE_CAP_UPDATE=1` corrects them.
 #[test]
-fn the_readme_counts_the_trusted_lines() {
-    let readme = fs::read_to_string("README.md").unwrap();
+fn the_page_on_trust_counts_the_trusted_lines() {
+    let readme = fs::read_to_string("docs/trust.md").unwrap();
     let mut corrected = String::new();
     let mut rows = 0;
     for line in readme.lines() {
@@ -41,10 +41,10 @@ fn the_readme_counts_the_trusted_lines() {
     }
     assert_eq!(rows, folders_of("src/kernel"), "each folder of the kernel has its row");
     if readme != corrected && std::env::var_os("PROVE_CAP_UPDATE").is_some() {
-        fs::write("README.md", &corrected).unwrap();
+        fs::write("docs/trust.md", &corrected).unwrap();
     }
     assert_eq!(
-        fs::read_to_string("README.md").unwrap(),
+        fs::read_to_string("docs/trust.md").unwrap(),
         corrected,
         "PROVE_CAP_UPDATE=1 cargo test --test house"
     );
@@ -57,7 +57,7 @@ fn the_readme_counts_the_trusted_lines() {
 #[test]
 fn the_pages_have_all_verdicts() {
     let mark = "<!-- verdicts, kept true by tests/house/documents.rs -->\n";
-    for page in ["README.md", "docs/trust.md"] {
+    for page in ["docs/command-line.md", "docs/trust.md"] {
         let text = fs::read_to_string(page).unwrap();
         let (before, rest) = text.split_once(mark).expect("the place for the table");
         let (_, after) = rest.split_once("<!-- end of verdicts -->").expect("the end of the table");
@@ -120,32 +120,71 @@ fn the_format_page_shows_the_committed_proof() {
 
 #[test]
 fn nothing_speaks_of_absolute_paths() {
-    let pages = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "proofs/README.md", "proofs/FORMAT.md"];
-    for file in pages.into_iter().chain(["proofs/STRUCTURE.md", "justfile"]) {
-        let text = fs::read_to_string(file).unwrap();
+    for file in pages().into_iter().chain(["justfile".to_owned()]) {
+        let text = fs::read_to_string(&file).unwrap();
         for root in ["/home/", "/root/", "/tmp/", "/work/"] {
             assert!(!text.contains(root), "{file} names {root}");
         }
     }
 }
 
-/// The table of the README is what the command prints. `PROVE_CAP_UPDATE=1` corrects it.
+/// All pages in Markdown.
+fn pages() -> Vec<String> {
+    let mut found = Vec::new();
+    for folder in [".", "docs", "proofs", "checkers/python"] {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|ending| ending == "md") {
+                found.push(path.to_str().unwrap().to_owned());
+            }
+        }
+    }
+    assert!(found.len() > 12, "{found:?}");
+    found
+}
+
+#[test]
+fn the_front_page_is_short() {
+    let readme = fs::read_to_string("README.md").unwrap();
+    assert!(readme.lines().count() <= 110, "{} lines", readme.lines().count());
+    for line in readme.lines() {
+        assert!(line.chars().count() <= 110, "{line}");
+    }
+}
+
+/// A link to a file of the project leads to one.
+#[test]
+fn links_lead_somewhere() {
+    for page in pages() {
+        let text = fs::read_to_string(&page).unwrap();
+        let folder = std::path::Path::new(&page).parent().unwrap();
+        for link in text.split("](").skip(1) {
+            let target = link.split([')', '#']).next().unwrap_or_default();
+            if target.is_empty() || target.contains("://") || target.contains(char::is_whitespace) {
+                continue;
+            }
+            assert!(folder.join(target).exists(), "{page}: {target}");
+        }
+    }
+}
+
+/// The table of the best patches is what the command prints. `PROVE_CAP_UPDATE=1` corrects it.
 #[test]
 #[ignore = "half a minute"]
-fn the_readme_has_the_table() {
+fn the_page_on_approximation_has_the_table() {
     let command = assert_cmd::Command::cargo_bin("prove-cap").unwrap().arg("table").output().unwrap();
     assert!(command.status.success(), "{}", String::from_utf8_lossy(&command.stderr));
     let table = String::from_utf8(command.stdout).unwrap();
-    let readme = fs::read_to_string("README.md").unwrap();
+    let readme = fs::read_to_string("docs/approximation.md").unwrap();
     let mark = "<!-- table, kept true by tests/house/documents.rs -->\n```text\n";
     let (before, rest) = readme.split_once(mark).expect("the place for the table");
     let (_, after) = rest.split_once("```\n").unwrap();
     let corrected = format!("{before}{mark}{table}```\n{after}");
     if std::env::var_os("PROVE_CAP_UPDATE").is_some() {
-        fs::write("README.md", &corrected).unwrap();
+        fs::write("docs/approximation.md", &corrected).unwrap();
     }
     assert_eq!(
-        fs::read_to_string("README.md").unwrap(),
+        fs::read_to_string("docs/approximation.md").unwrap(),
         corrected,
         "PROVE_CAP_UPDATE=1 cargo test --release --test house -- --ignored"
     );

@@ -79,7 +79,7 @@ fn wrong_statements_are_refused_with_the_exact_complaint() {
 #[test]
 fn wrong_listings_are_refused_with_the_exact_complaint() {
     use prove_cap::audit::{Audit, AuditError};
-    use prove_cap::listing::{Listing, Notation};
+    use prove_cap::formats::listing::{Listing, Notation};
 
     let mut seen = BTreeSet::new();
     let files = ["tex", "txt", "toml"].map(|extension| corpus("listing", extension)).concat();
@@ -100,7 +100,11 @@ fn wrong_listings_are_refused_with_the_exact_complaint() {
         compare(file, &error.to_string());
         seen.insert(promised(file));
     }
-    assert_eq!(seen, variants("src/listing/error.rs", "ListingFault"), "one file at least for each variant");
+    assert_eq!(
+        seen,
+        variants("src/formats/listing/error.rs", "ListingFault"),
+        "one file at least for each variant"
+    );
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::audit::AuditError;
 use crate::audit::span::Span;
 use crate::document::Phrase;
 use crate::exact;
-use crate::listing::{Expression, Symbol};
+use crate::formats::listing::{Expression, Symbol};
 use crate::problem::field_of;
 
 impl Claimed<'_> {

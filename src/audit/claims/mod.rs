@@ -14,7 +14,9 @@ use super::targets::Targets;
 use crate::control::Control;
 use crate::document::Phrase;
 use crate::exact::{Limit, Polynomial};
-use crate::listing::{Claim, ClaimKind, Expression, Listing, ListingError, ListingFault, Scope, Symbol};
+use crate::formats::listing::{
+    Claim, ClaimKind, Expression, Listing, ListingError, ListingFault, Scope, Symbol,
+};
 use crate::statement::{Place, Statement};
 
 /// What became of a claim.

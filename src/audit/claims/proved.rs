@@ -8,7 +8,7 @@ use crate::checker::Claim;
 use crate::control::Control;
 use crate::document::Phrase;
 use crate::elimination::Undecided;
-use crate::listing::Expectation;
+use crate::formats::listing::Expectation;
 use crate::prove::{Attempt, Reason, prove};
 use crate::statement::Statement;
 

@@ -7,8 +7,8 @@ use crate::algebra::{FieldElement, Polynomial, polynomial_to_exact};
 use crate::audit::AuditError;
 use crate::document::Phrase;
 use crate::exact;
+use crate::formats::listing::{Expression, Scope, Symbol};
 use crate::geometry::{CubeFace, dot};
-use crate::listing::{Expression, Scope, Symbol};
 use crate::problem::field_of;
 
 /// What a printed quantity may be.

@@ -9,7 +9,7 @@ use crate::certificate::{Quantity, spell_decimal};
 use crate::control::Control;
 use crate::document::Phrase;
 use crate::exact::Polynomial;
-use crate::listing::{Expression, Symbol};
+use crate::formats::listing::{Expression, Symbol};
 
 /// Decimals of the bounds.
 const PLACES: u32 = 12;

@@ -7,7 +7,7 @@ use crate::audit::AuditError;
 use crate::audit::targets::Targets;
 use crate::document::Phrase;
 use crate::exact::Polynomial;
-use crate::listing::{Expression, Formula, Kind, Scope, Symbol};
+use crate::formats::listing::{Expression, Formula, Kind, Scope, Symbol};
 
 /// `a12 = a15 = -2*a16`.
 pub(super) fn relation(at: &Claimed<'_>, formula: &Formula) -> Result<Judged, AuditError> {

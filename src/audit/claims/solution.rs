@@ -8,7 +8,7 @@ use crate::audit::decimal::{Decimal, decimal};
 use crate::audit::span::{Solutions, solve};
 use crate::document::Phrase;
 use crate::exact;
-use crate::listing::{Expression, Scope, Symbol};
+use crate::formats::listing::{Expression, Scope, Symbol};
 use crate::problem::field_of;
 
 /// Decimals that are shown of a value at least.

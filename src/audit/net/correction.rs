@@ -12,12 +12,12 @@ use std::convert::Infallible;
 use itertools::iproduct;
 
 use super::NetAudit;
-use super::printed::{Convention, PrintedNet, premultiplied};
 use crate::algebra::{FieldElement, Polynomial as Univariable, Univariate, polynomial_to_exact};
 use crate::audit::AuditError;
 use crate::bezier::{BernsteinForm, surface_condition_within};
 use crate::control::{Control, Interrupted};
 use crate::exact::Polynomial;
+use crate::formats::net::{Convention, PrintedNet, premultiplied};
 use crate::problem::field_of;
 use crate::statement::{Patch, Statement, Subject};
 

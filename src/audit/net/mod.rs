@@ -1,17 +1,9 @@
 //! A printed control net against a surface.
 
 mod correction;
-mod document;
-mod json;
-mod matlab;
-mod printed;
 mod reading;
 
 pub use correction::{NetChange, NetCorrection};
-pub use document::statement_from_json;
-pub use json::from_json;
-pub use matlab::from_matlab;
-pub use printed::{Convention, PrintedNet};
 pub use reading::Reading;
 
 use super::AuditError;
@@ -20,6 +12,7 @@ use crate::certificate::Argument;
 use crate::control::{Control, Interrupted};
 use crate::exact::Polynomial;
 use crate::expand::{Basis, coefficients_of};
+use crate::formats::net::PrintedNet;
 use crate::problem::{Problem, field_of};
 use crate::proof::{NoProof, Proof};
 use crate::statement::Statement;

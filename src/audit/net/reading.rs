@@ -9,7 +9,6 @@ use num_integer::Integer as _;
 use num_traits::Signed;
 
 use super::NetAudit;
-use super::printed::{Convention, PrintedNet, premultiplied};
 use crate::algebra::{
     FieldElement, Integer, MultiquadraticField, Polynomial as Computed, Sign, polynomial_to_exact,
 };
@@ -17,6 +16,7 @@ use crate::audit::AuditError;
 use crate::bezier::surface_condition_within;
 use crate::control::Control;
 use crate::exact::Polynomial;
+use crate::formats::net::{Convention, PrintedNet, premultiplied};
 use crate::problem::field_of;
 use crate::statement::{Patch, Statement, Subject};
 

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::limits::Limits;
-use crate::audit::net::Convention;
 use crate::commands::{Failure, FileKind};
+use crate::formats::net::Convention;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct AuditOptions {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::limits::Limits;
-use crate::export::Target;
+use crate::formats::export::Target;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ExportOptions {

@@ -16,6 +16,7 @@ use num_rational::BigRational;
 use crate::exact::{Monomial, Polynomial, Radicands, Ring};
 
 pub use error::{StatementError, StatementFault};
+pub use patch::{Convention, UNIT_SPHERE};
 pub use source::Place;
 
 /// The names of the surface's coordinates, in the order of [`HomogeneousPoint`].

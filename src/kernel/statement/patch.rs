@@ -8,11 +8,11 @@ use super::{HomogeneousPoint, Patch};
 use crate::exact::{Monomial, Polynomial, Work, limits};
 
 /// The surface of a statement that names none: the unit sphere.
-const UNIT_SPHERE: &str = "X^2 + Y^2 + Z^2 - W^2";
+pub const UNIT_SPHERE: &str = "X^2 + Y^2 + Z^2 - W^2";
 
 /// How the four numbers of a control point are meant.
-#[derive(Clone, Copy)]
-enum Convention {
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Convention {
     /// x, y, z and the weight w: the homogeneous point is (wx, wy, wz, w).
     Cartesian,
     /// X, Y, Z, W as they are.
@@ -22,6 +22,40 @@ enum Convention {
 impl Convention {
     const BOTH: &'static str =
         "\"cartesian\" (point x, y, z and weight w) or \"homogeneous\" (premultiplied wx, wy, wz, w)";
+
+    /// The convention a word stands for.
+    pub fn read(word: &str) -> Option<Self> {
+        match word {
+            "cartesian" => Some(Convention::Cartesian),
+            "homogeneous" => Some(Convention::Homogeneous),
+            _ => None,
+        }
+    }
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Convention::Cartesian => "cartesian",
+            Convention::Homogeneous => "homogeneous",
+        }
+    }
+
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Convention::Cartesian => Convention::Homogeneous,
+            Convention::Homogeneous => Convention::Cartesian,
+        }
+    }
+
+    /// The names of the four numbers.
+    pub fn names(self) -> [&'static str; 4] {
+        match self {
+            Convention::Cartesian => ["x", "y", "z", "w"],
+            Convention::Homogeneous => ["X", "Y", "Z", "W"],
+        }
+    }
 
     fn entries(self) -> &'static str {
         match self {
@@ -40,14 +74,11 @@ pub(super) fn read_patch<'a>(
     let net_value =
         document.required("net", "the rows of control points (or `polynomials` for a bare system)")?;
     let value = document.required("convention", Convention::BOTH)?;
-    let convention = match string(value, Convention::BOTH)? {
-        "cartesian" => Convention::Cartesian,
-        "homogeneous" => Convention::Homogeneous,
-        other => {
-            let shown = other.chars().take(limits::NAME).collect::<String>().escape_debug().to_string();
-            return Err((StatementFault::Convention(shown), value.span()));
-        }
-    };
+    let word = string(value, Convention::BOTH)?;
+    let convention = Convention::read(word).ok_or_else(|| {
+        let shown = word.chars().take(limits::NAME).collect::<String>().escape_debug().to_string();
+        (StatementFault::Convention(shown), value.span())
+    })?;
     let bidegree = read_bidegree(document)?;
     let surface = match document.optional("surface") {
         Some(value) => {

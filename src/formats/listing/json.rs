@@ -9,7 +9,7 @@ use super::error::{ListingFault, Located};
 use super::plain;
 use super::table::file_fault;
 use super::{Formula, Listing, ListingError, Symbol, grammar};
-use crate::expand::Basis;
+use crate::bezier::Basis;
 
 #[derive(Deserialize)]
 struct Document<'a> {

@@ -2,8 +2,8 @@
 
 use super::{names, spell};
 use crate::exact::Polynomial;
-use crate::export::case::Case;
-use crate::export::text::harmless;
+use crate::formats::export::case::Case;
+use crate::formats::export::text::harmless;
 
 /// What theorems say of the unknowns, in Coq.
 pub(super) struct Unknowns {

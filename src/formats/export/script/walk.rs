@@ -16,17 +16,17 @@ use crate::statement::{COORDINATES, Subject};
 const SUM: usize = 400;
 
 /// How a language writes what the walk writes.
-pub(in crate::export) struct Dialect {
+pub(in crate::formats::export) struct Dialect {
     /// What opens and closes a comment of one line.
-    pub(in crate::export) comment: [&'static str; 2],
+    pub(in crate::formats::export) comment: [&'static str; 2],
     /// What ends a statement.
-    pub(in crate::export) end: &'static str,
+    pub(in crate::formats::export) end: &'static str,
     /// How a long sum is written.
-    pub(in crate::export) sums: Sums,
+    pub(in crate::formats::export) sums: Sums,
 }
 
 /// How a sum that is too long for one expression is written.
-pub(in crate::export) enum Sums {
+pub(in crate::formats::export) enum Sums {
     /// In pieces: `P = …` with this sign, then `P = P + …`.
     Pieces(&'static str),
     /// As text that the script parses by itself.
@@ -34,7 +34,7 @@ pub(in crate::export) enum Sums {
 }
 
 /// The surface equation as sums in X, Y, Z, W, each short enough.
-pub(in crate::export) fn surface(case: &Case) -> Vec<String> {
+pub(in crate::formats::export) fn surface(case: &Case) -> Vec<String> {
     let Subject::Patch(patch) = &case.subject else { return Vec::new() };
     let roots = generators(case).into_iter().take(case.root_count());
     sums(case, &patch.surface, &roots.chain(COORDINATES.map(String::from)).collect::<Vec<_>>())

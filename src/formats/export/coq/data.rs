@@ -6,8 +6,8 @@ use super::spell::{self, integer};
 use super::unknowns::Unknowns;
 use crate::certificate::{Premise, Step};
 use crate::exact::Polynomial;
-use crate::export::case::Case;
-use crate::export::integral::{IntegralStep, integral_steps};
+use crate::formats::export::case::Case;
+use crate::formats::export::integral::{IntegralStep, integral_steps};
 use crate::statement::Patch;
 
 /// Conclusions are shown beside their data up to this length.

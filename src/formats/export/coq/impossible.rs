@@ -9,8 +9,8 @@ use super::unknowns::Unknowns;
 use super::{Parts, Theorem, data};
 use crate::certificate::Premise;
 use crate::exact::Work;
-use crate::export::case::Case;
-use crate::export::integral::{common_denominator, scaled};
+use crate::formats::export::case::Case;
+use crate::formats::export::integral::{common_denominator, scaled};
 use crate::statement::{COORDINATES, HomogeneousPoint, Patch};
 
 /// A patch without weights is no patch; where that is not excluded by a constant weight, it is assumed.

@@ -7,8 +7,8 @@ use super::unknowns::Unknowns;
 use super::{POSITIVE, Parts, SYSTEM, Theorem, data, exact, spell};
 use crate::certificate::Premise;
 use crate::exact::Polynomial;
-use crate::export::case::Case;
-use crate::export::integral::common_denominator;
+use crate::formats::export::case::Case;
+use crate::formats::export::integral::common_denominator;
 
 /// Some equation fails, whatever the unknowns.
 pub(super) fn impossible(case: &Case, equations: &[Polynomial]) -> Parts {

@@ -9,8 +9,8 @@ use super::spell::{self, integer};
 use super::unknowns::Unknowns;
 use super::{EXACT, POSITIVE, Parts, SYSTEM, Theorem, data, impossible, names};
 use crate::exact::{Polynomial, Work, sign};
-use crate::export::case::{Case, Reasoning};
-use crate::export::integral::common_denominator;
+use crate::formats::export::case::{Case, Reasoning};
+use crate::formats::export::integral::common_denominator;
 use crate::statement::{COORDINATES, Patch};
 
 pub(super) fn parts(case: &Case, patch: &Patch) -> Parts {

@@ -1,54 +1,9 @@
 //! A control net as it was printed.
 
-use std::fmt::Write as _;
-
-use crate::audit::AuditError;
+use super::NetError;
 use crate::exact::{Polynomial, Radicands, Ring, Work};
-use crate::statement::{Statement, Subject};
-
-/// How the four numbers of a control point are meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Convention {
-    /// x, y, z and the weight w: the homogeneous point is (wx, wy, wz, w).
-    Cartesian,
-    /// X, Y, Z, W, premultiplied.
-    Homogeneous,
-}
-
-impl Convention {
-    /// The convention a word stands for.
-    pub fn read(word: &str) -> Option<Self> {
-        match word {
-            "cartesian" => Some(Convention::Cartesian),
-            "homogeneous" => Some(Convention::Homogeneous),
-            _ => None,
-        }
-    }
-
-    /// The other one.
-    pub fn other(self) -> Self {
-        match self {
-            Convention::Cartesian => Convention::Homogeneous,
-            Convention::Homogeneous => Convention::Cartesian,
-        }
-    }
-
-    /// The word for it.
-    pub fn word(self) -> &'static str {
-        match self {
-            Convention::Cartesian => "cartesian",
-            Convention::Homogeneous => "homogeneous",
-        }
-    }
-
-    /// The names of the four numbers.
-    pub fn names(self) -> [&'static str; 4] {
-        match self {
-            Convention::Cartesian => ["x", "y", "z", "w"],
-            Convention::Homogeneous => ["X", "Y", "Z", "W"],
-        }
-    }
-}
+use crate::formats::statement_file::{Draft, DraftSubject, Layout};
+use crate::statement::{Convention, Statement, Subject};
 
 /// Four numbers for each control point, constants of K, as printed.
 #[derive(Debug, Clone)]
@@ -70,13 +25,13 @@ impl PrintedNet {
     ///
     /// # Errors
     /// Where the statement has unknowns, or no net.
-    pub fn from_statement(statement: &Statement, convention: Convention) -> Result<Self, AuditError> {
+    pub fn from_statement(statement: &Statement, convention: Convention) -> Result<Self, NetError> {
         let Subject::Patch(patch) = statement.subject() else {
-            return Err(AuditError::Net("a system of equations has no net to be audited".to_owned()));
+            return Err(NetError::Net("a system of equations has no net to be audited".to_owned()));
         };
         if !statement.unknowns().is_empty() {
             let names = statement.unknowns().join(", ");
-            return Err(AuditError::Net(format!(
+            return Err(NetError::Net(format!(
                 "the net has unknowns, {names}: a printed net has none; `prove` looks for their values"
             )));
         }
@@ -105,7 +60,7 @@ impl PrintedNet {
     ///
     /// # Errors
     /// Where a number exceeds what the formats allow.
-    pub fn homogeneous(&self) -> Result<Vec<Vec<[Polynomial; 4]>>, AuditError> {
+    pub fn homogeneous(&self) -> Result<Vec<Vec<[Polynomial; 4]>>, NetError> {
         let mut work = Work::full();
         let mut rows = Vec::new();
         for row in &self.points {
@@ -126,37 +81,35 @@ impl PrintedNet {
     /// The statement that the net lies on the surface, as a file.
     pub fn statement(&self) -> String {
         let ring = Ring { field: self.field.clone(), variables: Vec::new() };
-        let (m, n) = self.bidegree();
-        let title: String = self.title.chars().filter(|c| !c.is_control()).take(200).collect();
-        let quoted = title.replace('\\', "\\\\").replace('"', "\\\"");
-        let mut text = format!(
-            "title = \"{quoted}\"\nradicands = {:?}\nunknowns = []\nconvention = \"{}\"\nbidegree = [{m}, {n}]\n",
-            self.field.values(),
-            self.convention.word(),
-        );
-        if let Some(surface) = &self.surface {
-            let _ = writeln!(text, "surface = \"{surface}\"");
-        }
-        text += "net = [\n";
-        for row in &self.points {
-            let point = |point: &[Polynomial; 4]| {
-                let entries: Vec<String> =
-                    point.iter().map(|entry| format!("\"{}\"", ring.spell(entry))).collect();
-                format!("[{}]", entries.join(", "))
-            };
-            let _ = writeln!(text, "  [{}],", row.iter().map(point).collect::<Vec<_>>().join(", "));
-        }
-        text + "]\n"
+        let points = |row: &Vec<[Polynomial; 4]>| {
+            row.iter().map(|point| point.each_ref().map(|x| ring.spell(x))).collect()
+        };
+        let subject = DraftSubject::Patch {
+            convention: self.convention,
+            surface: self.surface.clone(),
+            net: self.points.iter().map(points).collect(),
+            layout: Layout::Rows,
+        };
+        let draft = Draft {
+            remark: Vec::new(),
+            title: self.title.chars().filter(|c| !c.is_control()).take(200).collect(),
+            radicands: self.field.values().to_vec(),
+            unknowns: Vec::new(),
+            nonzero: Vec::new(),
+            subject,
+            define: Vec::new(),
+        };
+        draft.text()
     }
 }
 
 /// (wx, wy, wz, w).
-pub(super) fn premultiplied(
+pub fn premultiplied(
     point: &[Polynomial; 4],
     convention: Convention,
     field: &Radicands,
     work: &mut Work,
-) -> Result<[Polynomial; 4], AuditError> {
+) -> Result<[Polynomial; 4], NetError> {
     let mut homogeneous = point.clone();
     if convention == Convention::Cartesian {
         for coordinate in &mut homogeneous[..3] {
@@ -167,11 +120,7 @@ pub(super) fn premultiplied(
 }
 
 /// (X/W, Y/W, Z/W, W); zeros where W is zero, as in a Cartesian net nothing else can be.
-fn divided(
-    point: &[Polynomial; 4],
-    field: &Radicands,
-    work: &mut Work,
-) -> Result<[Polynomial; 4], AuditError> {
+fn divided(point: &[Polynomial; 4], field: &Radicands, work: &mut Work) -> Result<[Polynomial; 4], NetError> {
     let inverse = point[3].inverse(field, work)?.unwrap_or_default();
     let mut cartesian = point.clone();
     for coordinate in &mut cartesian[..3] {

@@ -10,21 +10,21 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::AuditError;
+use super::NetError;
 use super::json::{check_shape, prime_factors};
-use super::printed::{Convention, PrintedNet};
+use super::{Convention, PrintedNet};
 use crate::exact::{Polynomial, Radicands, Work, limits};
-use crate::listing::{Expression, ListingError, ListingFault, Scope, Symbol};
+use crate::formats::listing::{Expression, ListingError, ListingFault, Scope, Symbol};
 use crate::statement::Place;
 
 /// Reads a net; MATLAB files do not say which convention they follow.
 ///
 /// # Errors
 /// With line, column and what was expected.
-pub fn from_matlab(text: &str, title: &str, convention: Convention) -> Result<PrintedNet, AuditError> {
+pub fn from_matlab(text: &str, title: &str, convention: Convention) -> Result<PrintedNet, NetError> {
     let clean = without_comments(text);
     let field = Radicands::new(prime_factors(&roots_in(&clean)))
-        .map_err(|error| AuditError::Net(format!("the square roots of the file: {error}")))?;
+        .map_err(|error| NetError::Net(format!("the square roots of the file: {error}")))?;
     let mut reader = Reader {
         text,
         clean: &clean,
@@ -41,12 +41,12 @@ pub fn from_matlab(text: &str, title: &str, convention: Convention) -> Result<Pr
     for i in 0..rows {
         let mut row = Vec::new();
         for j in 0..columns {
-            let missing = || AuditError::Net(format!("control point ({}, {}) is missing", i + 1, j + 1));
+            let missing = || NetError::Net(format!("control point ({}, {}) is missing", i + 1, j + 1));
             row.push(reader.points.remove(&(i, j)).ok_or_else(missing)?);
         }
         points.push(row);
     }
-    check_shape(&points).map_err(AuditError::Net)?;
+    check_shape(&points).map_err(NetError::Net)?;
     Ok(PrintedNet { title: title.to_owned(), field, convention, surface: None, points })
 }
 
@@ -103,13 +103,13 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn wrong(&self, span: Range<usize>, expected: &'static str) -> AuditError {
+    fn wrong(&self, span: Range<usize>, expected: &'static str) -> NetError {
         let found: String = self.clean[span.clone()].trim().chars().take(30).collect();
         let fault = ListingFault::Expected { expected, found: format!("`{}`", found.escape_debug()) };
         ListingError { place: Place::of(self.text, span), fault }.into()
     }
 
-    fn statement(&mut self, span: Range<usize>) -> Result<(), AuditError> {
+    fn statement(&mut self, span: Range<usize>) -> Result<(), NetError> {
         let Some(equals) = self.clean[span.clone()].find('=').map(|at| span.start + at) else {
             return Err(self.wrong(span, "an assignment"));
         };
@@ -166,13 +166,13 @@ impl Reader<'_> {
         }
     }
 
-    fn value(&mut self, span: Range<usize>) -> Result<Polynomial, AuditError> {
+    fn value(&mut self, span: Range<usize>) -> Result<Polynomial, NetError> {
         let expression = Expression::read(self.clean, span)?;
-        expression.value(self.text, &self.scope, &mut self.work).map_err(AuditError::from)
+        expression.value(self.text, &self.scope, &mut self.work).map_err(NetError::from)
     }
 
     /// `[a, b; c, d]`.
-    fn matrix(&mut self, span: Range<usize>) -> Result<Vec<Vec<Polynomial>>, AuditError> {
+    fn matrix(&mut self, span: Range<usize>) -> Result<Vec<Vec<Polynomial>>, NetError> {
         let text = &self.clean[span.clone()];
         if !text.starts_with('[') || !text.ends_with(']') || text.len() < 2 {
             return Err(self.wrong(span, "a matrix in [ ]"));

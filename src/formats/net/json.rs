@@ -6,17 +6,17 @@
 
 use serde_json::Value;
 
-use super::AuditError;
-use super::printed::{Convention, PrintedNet};
+use super::NetError;
+use super::{Convention, PrintedNet};
 use crate::exact::{Polynomial, Radicands, Work, limits};
-use crate::listing::{Expression, Scope};
+use crate::formats::listing::{Expression, Scope};
 use crate::statement::Statement;
 
 /// Reads a net.
 ///
 /// # Errors
-/// [`AuditError::Net`] with the place in the document and what was expected.
-pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
+/// [`NetError::Net`] with the place in the document and what was expected.
+pub fn from_json(text: &str) -> Result<PrintedNet, NetError> {
     let document: Value =
         serde_json::from_str(text).map_err(|error| wrong("the file", &error.to_string()))?;
     // Of an answer without a net of its own the statement has it.
@@ -82,8 +82,8 @@ pub fn from_json(text: &str) -> Result<PrintedNet, AuditError> {
     Ok(PrintedNet { title, field, convention, surface, points })
 }
 
-pub(super) fn wrong(place: &str, why: &str) -> AuditError {
-    AuditError::Net(format!("{place}: {why}"))
+pub(super) fn wrong(place: &str, why: &str) -> NetError {
+    NetError::Net(format!("{place}: {why}"))
 }
 
 /// Refuses nets that are not rectangular, or too large to be a patch.

@@ -2,7 +2,7 @@
 //!
 //! A listing says `label = expression` for some of the coefficients that `expand` computes. What it says is kept as it
 //! stands ([`Expression`]), with places, so that an audit can point at the number that is wrong. The rules by which
-//! doubtful spellings are read or refused are in `LISTINGS.md`.
+//! doubtful spellings are read or refused are in `docs/listings.md`.
 
 mod claim;
 mod constant;

@@ -8,7 +8,7 @@ use super::expression::{Expression, Formula};
 use super::table::{Table, file_fault, naturals, parse, string};
 use super::token::Symbol;
 use super::{ListingError, Notation as Reader};
-use crate::expand::Basis;
+use crate::bezier::Basis;
 
 const KEYS: [&str; 9] =
     ["title", "source", "statement", "notation", "basis", "formulas", "names", "labels", "claim"];
@@ -75,7 +75,7 @@ impl Listing {
         })
     }
 
-    /// Reads a listing file (TOML; the keys are described in `LISTINGS.md`).
+    /// Reads a listing file (TOML; the keys are described in `docs/listings.md`).
     ///
     /// # Errors
     /// [`ListingError`] with the place.

@@ -4,15 +4,15 @@ use std::fmt::Write as _;
 
 use serde_json::Value;
 
-use super::AuditError;
+use super::NetError;
 use super::json::{from_json, wrong};
 use crate::statement::Statement;
 
 /// The statement file that a JSON document amounts to: its net, or else the statement it is about.
 ///
 /// # Errors
-/// [`AuditError::Net`] with the place in the document and what was expected.
-pub fn statement_from_json(text: &str) -> Result<String, AuditError> {
+/// [`NetError::Net`] with the place in the document and what was expected.
+pub fn statement_from_json(text: &str) -> Result<String, NetError> {
     let document: Value =
         serde_json::from_str(text).map_err(|error| wrong("the file", &error.to_string()))?;
     let open = document["unknowns"].as_array().is_some_and(|unknowns| !unknowns.is_empty());
@@ -24,7 +24,7 @@ pub fn statement_from_json(text: &str) -> Result<String, AuditError> {
 }
 
 /// A statement file in TOML, with its hash compared where the document says it.
-fn file(statement: &Value) -> Result<String, AuditError> {
+fn file(statement: &Value) -> Result<String, NetError> {
     let mut text = String::new();
     for key in ["title", "radicands", "unknowns", "nonzero", "convention", "bidegree", "surface"] {
         if let Some(value) = statement.get(key) {
