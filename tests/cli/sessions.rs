@@ -1,5 +1,6 @@
-//! The command line, word for word: `tests/data/sessions/*.trycmd` and the commands of the pages.
+//! The command line, word for word: `tests/data/sessions/*.trycmd`, one file for each command, and the commands of the pages.
 //!
+//! A session runs in a copy of the folder NAME.in, which for most is `files`; it is copied since there is a folder NAME.out.
 //! `TRYCMD=overwrite cargo test --test cli` writes the outputs anew; read them before you commit them.
 
 /// Pages with commands.

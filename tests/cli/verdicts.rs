@@ -28,7 +28,7 @@ fn every_verdict_is_in_the_table_once_and_statuses_tell_words_apart() {
 /// The checker alone says the same words with the same numbers.
 #[test]
 fn the_kernel_agrees() {
-    let sessions = Path::new("tests/data/sessions/session.in");
+    let sessions = Path::new("tests/data/sessions/files");
     let statement = sessions.join("small.toml");
     for (certificate, verdict, status) in
         [("good.txt", Verdict::Verified, Status::Established), ("bad.txt", Verdict::Rejected, Status::Wrong)]
@@ -65,7 +65,7 @@ fn that_there_is_no_net_is_no_success() {
 /// Runs a command in a fresh folder that has the files of the sessions, with more files by name.
 fn run(arguments: &[&str], format: Option<&str>) -> (Option<i32>, String, String) {
     let folder = tempfile::tempdir().unwrap();
-    for entry in std::fs::read_dir("tests/data/sessions/session.in").unwrap() {
+    for entry in std::fs::read_dir("tests/data/sessions/files").unwrap() {
         let file = entry.unwrap().path();
         std::fs::copy(&file, folder.path().join(file.file_name().unwrap())).unwrap();
     }

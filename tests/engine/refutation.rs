@@ -200,7 +200,7 @@ fn isolated_zeros_in_the_field_are_found() {
 /// A quarter of a cylinder whose middle weight is open: of ±√2/2 the one that gives positive weights.
 #[test]
 fn of_two_nets_the_one_with_positive_weights_is_given() {
-    let text = std::fs::read_to_string("tests/data/sessions/session.in/cylinder.toml").unwrap();
+    let text = std::fs::read_to_string("tests/data/sessions/files/cylinder.toml").unwrap();
     let attempt = prove(&Statement::read(&text).unwrap(), &Control::default()).unwrap();
     let Attempt::Proved { proof, .. } = attempt else { panic!("{attempt:?}") };
     let theorem = proof.theorem();
