@@ -1,6 +1,7 @@
 //! What a unit of work costs: 10⁹ units of every kind that is dear, and the longest proof.
 //!
-//! `cargo bench -p prove-cap-kernel`. The slowest line but the last two, times 15, is how long the whole allowance lasts.
+//! `cargo bench -p prove-cap-kernel`. The slowest line but the last two, times 15, is how long the whole
+//! allowance lasts.
 #![allow(
     clippy::arithmetic_side_effects,
     clippy::as_conversions,

@@ -164,8 +164,8 @@ fn changed(
     changed
 }
 
-/// Whether two steps are always used together with the same multiplier: exchanged, they are another proof. (Steps 12 and 16 of
-/// cap-4x2 are.)
+/// Whether two steps are always used together with the same multiplier: exchanged, they are another proof.
+/// (Steps 12 and 16 of cap-4x2 are.)
 fn are_interchangeable(certificate: &Certificate, step: usize, place: usize) -> bool {
     let Argument::Impossible(steps) = &certificate.argument else { panic!("a refutation") };
     let names = [step, place].map(|index| Premise::Step((index % steps.len()) as u32 + 1));
