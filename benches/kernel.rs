@@ -1,6 +1,7 @@
-//! What a unit of work costs: 10⁸ units of every kind that is dear, and the longest proof.
+//! What a unit of work costs: 10⁹ units of every kind that is dear, and the longest proof.
 //!
-//! `cargo bench -p prove-cap-kernel`. The slowest line, times 150, is how long the whole allowance lasts.
+//! `cargo bench -p prove-cap-kernel`. The slowest line but the last two, times 15, is how long the whole
+//! allowance lasts.
 #![allow(
     clippy::arithmetic_side_effects,
     clippy::as_conversions,
@@ -18,9 +19,9 @@ fn main() {
     divan::main();
 }
 
-const UNITS: u64 = 100_000_000;
+const UNITS: u64 = 1_000_000_000;
 
-/// A statement with a certificate that asks for more than 10⁸ units.
+/// A statement with a certificate that asks for more than 10⁹ units.
 struct Case {
     statement: String,
     certificate: String,
@@ -62,34 +63,33 @@ fn sealed(x: &str, lines: &[String]) -> Case {
     Case { statement, certificate: format!("{text}end {boxes} {digest}\n") }
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 10)]
 fn terms_of_a_power(bencher: Bencher) {
     let case = system("", "(a + b + c + d)^1000");
     bencher.bench(|| case.check().expect_err("a limit"));
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 10)]
 fn terms_with_roots(bencher: Bencher) {
     let case = system("2, 3, 5, 7", "(1 + sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7) + a)^1000");
     bencher.bench(|| case.check().expect_err("a limit"));
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 10)]
 fn common_divisors(bencher: Bencher) {
     let quotients: Vec<String> = (0..50).map(|k| format!("a/{}{}", digits(4000), 2 * k + 1)).collect();
     let case = system("", &quotients.join(" + "));
     bencher.bench(|| case.check().expect_err("a limit"));
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 10)]
 fn products_of_long_numbers(bencher: Bencher) {
-    let factors: Vec<String> = (0..40).map(|k| format!("({}{k}*a + b)*{k}", digits(3900))).collect();
-    let case = system("", &factors.join(" + "));
-    bencher.bench(|| drop(case.check()));
+    let case = system("", &format!("({}*a + {}*b + c)^99", digits(40), digits(39)));
+    bencher.bench(|| case.check().expect_err("a limit"));
 }
 
 /// What is put for a variable of degree 1000.
-#[divan::bench]
+#[divan::bench(sample_count = 10)]
 fn substitutions(bencher: Bencher) {
     let mut lines = vec!["chart 1".to_owned()];
     lines.extend(vec!["halve".to_owned(); 4]);
@@ -101,7 +101,7 @@ fn substitutions(bencher: Bencher) {
     bencher.bench(|| case.check().expect_err("a limit"));
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 10)]
 fn small_boxes(bencher: Bencher) {
     let mut lines = vec!["chart 1".to_owned()];
     lines.extend(vec!["halve".to_owned(); 100_000]);
@@ -113,8 +113,8 @@ fn small_boxes(bencher: Bencher) {
     bencher.bench(|| case.check().expect_err("a limit"));
 }
 
-/// 10⁸ units for reading alone.
-#[divan::bench]
+/// Reading alone: 3·10⁸ units.
+#[divan::bench(sample_count = 10)]
 fn toml(bencher: Bencher) {
     let statement = format!("title = \"t\"\nnet = [{}]\n", vec!["[]"; 160_000].join(","));
     let case = Case { statement, certificate: String::new() };
@@ -122,7 +122,7 @@ fn toml(bencher: Bencher) {
 }
 
 /// No unit's price but a whole check: of the longest proof there is.
-#[divan::bench]
+#[divan::bench(sample_count = 10)]
 fn the_longest_proof(bencher: Bencher) {
     let read = |name| std::fs::read(format!("../../proofs/cap-4x3/{name}")).expect("committed");
     let (statement, certificate) = (read("statement.toml"), read("certificate.txt"));

@@ -1,7 +1,8 @@
 //! The order of the modules in lib.rs is the architecture: each may use those above it, none below.
 //!
-//! (That the kernel uses nothing else the compiler sees to; its own modules are layers too.) Paths are read as tokens, so that comments and
-//! strings are no uses and every way to write a path is: nested groups, `super`, renaming.
+//! (That the kernel uses nothing else the compiler sees to; its own modules are layers too.) Paths are read
+//! as tokens, so that comments and strings are no uses and every way to write a path is: nested groups,
+//! `super`, renaming.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -161,8 +162,8 @@ fn declared(file: &Path) -> Vec<String> {
     lines.filter_map(name).collect()
 }
 
-/// In the kernel each module uses those above it only, within every folder too; in `exact` and `statement` nothing uses what its
-/// own folder's `mod.rs` puts together.
+/// In the kernel each module uses those above it only, within every folder too; in `exact` and `statement`
+/// nothing uses what its own folder's `mod.rs` puts together.
 #[test]
 fn the_kernel_has_no_circles() {
     let root = Path::new("src/kernel");

@@ -1,7 +1,7 @@
 //! Arithmetic of polynomials over K, on account: the one thing of the kernel that calculates with them.
 //!
-//! Everything is a sum of products, [`Arithmetic::dot`]. All products are brought over one common denominator first, so that
-//! the inner loop multiplies and adds integers only; fractions are reduced once, at the end.
+//! Everything is a sum of products, [`Arithmetic::dot`]. All products are brought over one common denominator
+//! first, so that the inner loop multiplies and adds integers only; fractions are reduced once, at the end.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -297,7 +297,8 @@ struct Sum {
 }
 
 impl Sum {
-    /// The memory of a cell, beside that of its monomial and its number: a node of the tree has room for 11 and is filled with
+    /// The memory of a cell, beside that of its monomial and its number: a node of the tree has room for 11
+    /// and is filled with
     /// 5 at least.
     const CELL: u64 = 192;
 

@@ -1,7 +1,7 @@
 //! The limits that protect the trusted part from hostile files, in one table.
 //!
-//! Reaching one is an error, never a verdict. A limit carries its name and its number, and every message about it is made
-//! from these two. `proofs/FORMAT.md` prints the table; a test compares them.
+//! Reaching one is an error, never a verdict. A limit carries its name and its number, and every message
+//! about it is made from these two. `proofs/FORMAT.md` prints the table; a test compares them.
 
 use std::fmt;
 

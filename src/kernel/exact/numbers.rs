@@ -1,7 +1,9 @@
-//! Metered integers and rationals: the one file of the kernel in which numbers of any length are calculated with.
+//! Metered integers and rationals: the one file of the kernel in which numbers of any length are calculated
+//! with.
 //!
-//! `clippy.toml` and the kernel's lints refuse the operators and the costly methods of `BigInt` and `Ratio` everywhere else.
-//! Each operation charges its price, which is about what it costs in time, before it is carried out.
+//! `clippy.toml` and the kernel's lints refuse the operators and the costly methods of `BigInt` and `Ratio`
+//! everywhere else. Each operation charges its price, which is about what it costs in time, before it is
+//! carried out.
 #![allow(clippy::arithmetic_side_effects, clippy::disallowed_methods, reason = "this is the place for them")]
 
 use num_bigint::BigInt;
@@ -81,7 +83,8 @@ impl Work {
         Ok(())
     }
 
-    /// Memory for a sum that may become so many words long; where a number grows it may have room for twice its length.
+    /// Memory for a sum that may become so many words long; where a number grows it may have room for twice
+    /// its length.
     fn keep_growth(&mut self, sum: &BigInt, longest: u64) -> Result<(), Limit> {
         let grown = longest.saturating_sub(words(sum)).saturating_mul(16);
         self.keep(if sum.is_zero() { grown.saturating_add(24) } else { grown })
@@ -97,8 +100,8 @@ impl Work {
         Ok(a.abs())
     }
 
-    /// a·b, refused where it would be absurdly long: many large denominators without common factors would otherwise turn a
-    /// small file into a huge number.
+    /// a·b, refused where it would be absurdly long: many large denominators without common factors would
+    /// otherwise turn a small file into a huge number.
     pub(crate) fn product(&mut self, a: &BigInt, b: &BigInt) -> Result<BigInt, Limit> {
         limits::BITS.check(a.bits().saturating_add(b.bits()))?;
         let kept = words(a).saturating_add(words(b)).saturating_mul(WORD);

@@ -1,5 +1,5 @@
-//! Polynomials over K as sums of basis elements with non-zero rational coefficients. What is calculated with them is in
-//! [`super::Arithmetic`].
+//! Polynomials over K as sums of basis elements with non-zero rational coefficients. What is calculated with
+//! them is in [`super::Arithmetic`].
 
 use std::hash::{Hash, Hasher};
 

@@ -66,7 +66,8 @@ impl Radicands {
                 return Err(RadicandsError::Repeated(value));
             }
         }
-        // Each radicand doubles the list: the products with it follow those without. Four radicands make at most 10²⁴.
+        // Each radicand doubles the list: the products with it follow those without. Four radicands make at
+        // most 10²⁴.
         let products = values.iter().fold(vec![1u128], |products, &value| {
             let with = products.iter().map(|product| product.saturating_mul(u128::from(value))).collect();
             [products, with].concat()

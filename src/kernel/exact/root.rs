@@ -106,7 +106,8 @@ impl Arithmetic<'_> {
         Ok(None)
     }
 
-    /// (c, y) with c rational, y in the field of `generators` and c·y² the given constant of that field, which is not 0;
+    /// (c, y) with c rational, y in the field of `generators` and c·y² the given constant of that field,
+    /// which is not 0;
     /// `None` where it is no rational times a square.
     fn square_class(
         &mut self,
@@ -140,8 +141,8 @@ impl Arithmetic<'_> {
         Ok(Some((class, y)))
     }
 
-    /// What K lacks for the root of a positive rational that it does not have: found where numerator times denominator is
-    /// at most 10¹².
+    /// What K lacks for the root of a positive rational that it does not have: found where numerator times
+    /// denominator is at most 10¹².
     fn missing(&mut self, q: &BigRational) -> Result<NoRoot, Limit> {
         const LARGEST: u64 = 1_000_000_000_000;
         const DIVISIONS: u64 = 1_000_000;

@@ -12,8 +12,9 @@ use super::polynomial::Polynomial;
 impl Arithmetic<'_> {
     /// Whether a constant is negative, zero or positive (`None` for a polynomial that is not constant).
     ///
-    /// Write x = a + b√d with the last radicand d that occurs. If a and b have the same sign, that is the sign
-    /// of x; otherwise the larger of |a| and |b|√d decides, which a² − b²d, an element of a smaller field, tells.
+    /// Write x = a + b√d with the last radicand d that occurs. If a and b have the same sign, that is the
+    /// sign of x; otherwise the larger of |a| and |b|√d decides, which a² − b²d, an element of a smaller
+    /// field, tells.
     ///
     /// # Errors
     /// See [`Arithmetic::dot`].

@@ -1,10 +1,12 @@
 //! A meter for work done on behalf of a file nobody has vetted.
 //!
-//! Work is charged before it is done, so that a small file cannot ask for much. A unit is about a nanosecond, as
+//! Work is charged before it is done, so that a small file cannot ask for much. A unit is about a nanosecond,
+//! as
 //! `benches/kernel.rs` shows: the whole allowance of 15·10⁹ lasts about 15 seconds.
 //!
-//! Memory is counted where it is taken, at no less than it is with all that the allocator adds. To give it back is to say that it
-//! was let go of; what nobody says so of stays counted, so that the count is never too low.
+//! Memory is counted where it is taken, at no less than it is with all that the allocator adds. To give it
+//! back is to say that it was let go of; what nobody says so of stays counted, so that the count is never too
+//! low.
 
 use std::fmt;
 use std::sync::Arc;

@@ -39,7 +39,8 @@ impl Statement {
     }
 
     fn read_within(text: &str, work: &mut Work) -> Result<Statement, StatementError> {
-        // What the TOML reader makes of a text: at most so much for each byte of it, where tables nest in tables.
+        // What the TOML reader makes of a text: at most so much for each byte of it, where tables nest in
+        // tables.
         const BYTES: u64 = 640;
         let held = work.held();
         let kept = work.keep_each(text.len(), BYTES).map_err(|limit| (limit.into(), 0..0));

@@ -78,8 +78,8 @@ impl Statement {
         &self.subject
     }
 
-    /// Whether the file says which surface is meant; if a patch's does not, it is the unit sphere. For people only, like
-    /// the title.
+    /// Whether the file says which surface is meant; if a patch's does not, it is the unit sphere. For people
+    /// only, like the title.
     pub fn names_surface(&self) -> bool {
         self.names_surface
     }

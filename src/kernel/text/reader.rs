@@ -74,6 +74,8 @@ impl<'a, 'w> Reader<'a, 'w> {
     /// The next line; `expected` says which one is missing if there is none.
     pub(crate) fn next(&mut self, expected: &'static str) -> Result<&'a str, CertificateError> {
         self.line = self.line.saturating_add(1);
+        // What it becomes, and the line once more, in lists that may have room for twice as many.
+        self.keep(160)?;
         match self.lines.next() {
             // What follows the last newline is not a line.
             Some(line) if !(line.is_empty() && self.lines.clone().next().is_none()) => Ok(line),

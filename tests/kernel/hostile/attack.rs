@@ -85,10 +85,11 @@ fn told(measured: &Measured) -> String {
 
 /// The bytes that files of this length make beside what is metered: the texts, read and written again.
 fn of_files((statement, certificate): (usize, usize)) -> u64 {
-    12 * certificate as u64 + 2 * statement as u64 + 200_000
+    6 * certificate as u64 + 2 * statement as u64 + 200_000
 }
 
-/// No memory that was not paid for; nothing is done that was not paid for, as far as it allocates; and all within the format.
+/// No memory that was not paid for; nothing is done that was not paid for, as far as it allocates; and all
+/// within the format.
 fn obeys_the_laws(place: &str, measured: &Measured, files: (usize, usize), units: u64) {
     assert!(measured.units <= units, "{place}");
     assert!(measured.peak <= measured.held + of_files(files), "{place}: memory that nobody paid for");

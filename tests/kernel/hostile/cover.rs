@@ -25,7 +25,8 @@ fn stereographic(degree: usize, entry: &dyn Fn(usize) -> i128) -> String {
     let square = times(&p, &p);
     let m = 2 * degree;
     let at = |list: &[i128], k: usize| list.get(k).copied().unwrap_or(0);
-    // A homogeneous polynomial in t and s: Σ C(m,i) C(m,j) X_ij tⁱ sʲ. Degrees are raised by powers of (1 + t), (1 + s): none here.
+    // A homogeneous polynomial in t and s: Σ C(m,i) C(m,j) X_ij tⁱ sʲ. Degrees are raised by powers of (1 +
+    // t), (1 + s): none here.
     let coordinate = |i: usize, j: usize, k: usize| -> i128 {
         let (of_t, of_s) = (if j == 0 { at(&p, i) } else { 0 }, if i == 0 { at(&p, j) } else { 0 });
         let squares = if j == 0 { at(&square, i) } else { 0 } + if i == 0 { at(&square, j) } else { 0 };

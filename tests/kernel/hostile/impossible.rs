@@ -107,6 +107,17 @@ fn long_files() {
         let step = format!("add f[1] times {long}\nconclude {long}");
         attack(system(2, &["x0".to_owned()]), &vec![step; n])
     });
+    ends("many short terms", &[1, 10, 60], ALL, &End::Rejected("step 1: the conclusion is wrong"), |n| {
+        let letters: Vec<String> = ('a'..='z').chain('A'..='N').map(String::from).collect();
+        let triples =
+            (0..40).flat_map(|i| (i + 1..40).flat_map(move |j| (j + 1..40).map(move |k| [i, j, k])));
+        let short = triples
+            .map(|triple| triple.map(|k| letters[k].as_str()).join("*"))
+            .collect::<Vec<_>>()
+            .join(" + ");
+        let step = format!("add f[1] times {short}\nconclude {short}");
+        attack(statement("", &letters, "polynomials = [\"a\"]"), &vec![step; n])
+    });
     ends("many long numbers", &[10, 100, 400], ALL, &End::Rejected("step 1: the conclusion is wrong"), |n| {
         let step = |k| {
             format!("add f[1] times {}*x0\nconclude {}*x0", long_number(4000, k), long_number(4000, k + 1))

@@ -1,7 +1,8 @@
-//! Files made to hurt: each ends with a limit or a verdict, within the units and the memory of the format, never a panic.
+//! Files made to hurt: each ends with a limit or a verdict, within the units and the memory of the format,
+//! never a panic.
 //!
-//! An attack is a statement with a certificate, made for a size. Nothing is timed: what is done is held against what was paid,
-//! by counting what was allocated.
+//! An attack is a statement with a certificate, made for a size. Nothing is timed: what is done is held
+//! against what was paid, by counting what was allocated.
 #![allow(
     missing_docs,
     clippy::unwrap_used,

@@ -96,7 +96,8 @@ impl<'a> Replay<'a> {
         let missing = || Rejection::NoSuchPremise { step: number, premise };
         let polynomial = match premise {
             Premise::Step(step) => {
-                // The reader has refused steps that are not earlier; a certificate built in memory has not been read.
+                // The reader has refused steps that are not earlier; a certificate built in memory has not
+                // been read.
                 let index =
                     usize::try_from(step).ok().and_then(|step| step.checked_sub(1)).ok_or_else(missing)?;
                 let position = number.checked_sub(1).ok_or_else(missing)?;

@@ -39,8 +39,8 @@ impl<'a> Signs<'a> {
         self.field.degree()
     }
 
-    /// Σ c·√n·2ᵇ differs from Σ c·⌊√n·2ᵇ⌋ by less than Σ|c| over the irrational √n. Where that leaves the sign
-    /// open, it is found exactly.
+    /// Σ c·√n·2ᵇ differs from Σ c·⌊√n·2ᵇ⌋ by less than Σ|c| over the irrational √n. Where that leaves the
+    /// sign open, it is found exactly.
     pub(super) fn of(&self, coordinates: &[BigInt], work: &mut Work) -> Result<Ordering, Stop> {
         let held = work.held();
         let sign = self.found(coordinates, work)?;

@@ -40,7 +40,8 @@ impl Interval {
     }
 }
 
-/// For each exponent a from 0 up the coefficients, from q⁰ up, of (x₀p + x₁q)^a (y₀p + y₁q)^(D−a): a row at a time.
+/// For each exponent a from 0 up the coefficients, from q⁰ up, of (x₀p + x₁q)^a (y₀p + y₁q)^(D−a): a row at a
+/// time.
 pub(super) struct Table<'a> {
     interval: &'a Interval,
     row: Vec<BigInt>,
@@ -63,8 +64,9 @@ impl<'a> Table<'a> {
         &self.row
     }
 
-    /// Goes on to the next row, which is this one times x/y: with n = row·x, row′·y = n gives y₀·row′ₖ = nₖ − y₁·row′ₖ₋₁
-    /// from below or, where y₀ is 0, y₁·row′ₖ = nₖ₊₁. Where both are 0, no row but the last has anything.
+    /// Goes on to the next row, which is this one times x/y: with n = row·x, row′·y = n gives y₀·row′ₖ = nₖ −
+    /// y₁·row′ₖ₋₁ from below or, where y₀ is 0, y₁·row′ₖ = nₖ₊₁. Where both are 0, no row but the last has
+    /// anything.
     pub(super) fn next(&mut self, work: &mut Work) -> Result<(), Limit> {
         let Interval { x, y: [y0, y1] } = self.interval;
         self.left = self.left.saturating_sub(1);

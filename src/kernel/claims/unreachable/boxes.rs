@@ -33,8 +33,8 @@ impl Walk {
         Walk { far, unknowns, now: BTreeMap::new(), halved: Vec::new(), open: true }
     }
 
-    /// The interval of the box on an axis: ξ from −1 to 1, and h from 0 to 1 in the place of the unknown that is far, or the part
-    /// of them that was come to. The whole one is made in `whole`.
+    /// The interval of the box on an axis: ξ from −1 to 1, and h from 0 to 1 in the place of the unknown that
+    /// is far, or the part of them that was come to. The whole one is made in `whole`.
     pub(super) fn interval<'a>(&'a self, axis: usize, whole: &'a mut Option<Interval>) -> &'a Interval {
         self.now.get(&axis).unwrap_or_else(|| whole.insert(self.whole(axis)))
     }

@@ -50,7 +50,8 @@ impl Along {
     }
 }
 
-/// A side at a sample, in the variables of a chart: like terms collected, the power of h apart, integers over a denominator.
+/// A side at a sample, in the variables of a chart: like terms collected, the power of h apart, integers over
+/// a denominator.
 struct AtSample {
     terms: BTreeMap<(Monomial, u32), BigInt>,
     denominator: BigInt,
@@ -69,7 +70,8 @@ pub(super) struct Chart<'a> {
     pub(super) range: &'a mut Powers,
     pub(super) samples: &'a [[Odds; 2]],
     pub(super) sides: &'a BTreeMap<Side, Along>,
-    /// What sides at samples are, computed once for a chart; the last number is the degree to which all were brought.
+    /// What sides at samples are, computed once for a chart; the last number is the degree to which all were
+    /// brought.
     known: BTreeMap<(Side, usize, u32), AtSample>,
 }
 
@@ -118,8 +120,8 @@ impl<'a> Chart<'a> {
         Ok((form, axes.into_keys().collect()))
     }
 
-    /// Adds a multiple of a side at a sample to a form, divided by a power of h that all terms have: h > 0 for all values that the
-    /// chart is about.
+    /// Adds a multiple of a side at a sample to a form, divided by a power of h that all terms have: h > 0
+    /// for all values that the chart is about.
     fn add(
         &self,
         known: &AtSample,
@@ -145,7 +147,8 @@ impl<'a> Chart<'a> {
         Ok(())
     }
 
-    /// The variables that occur, each with its place among the axes and its degree; h is in the place of the unknown that is far.
+    /// The variables that occur, each with its place among the axes and its degree; h is in the place of the
+    /// unknown that is far.
     fn axes(&self, sum: &[(BigInt, Side, usize)], of_h: u32, work: &mut Work) -> Result<Axes, Stop> {
         let mut largest: BTreeMap<usize, u32> = BTreeMap::new();
         let mut seen = Vec::with_capacity(3);
@@ -195,7 +198,8 @@ impl<'a> Chart<'a> {
         Ok(())
     }
 
-    /// With t, s and the unknowns replaced: x = R·ξ/h, or ±R/h for the one that is far, and all times h to the degree.
+    /// With t, s and the unknowns replaced: x = R·ξ/h, or ±R/h for the one that is far, and all times h to
+    /// the degree.
     fn at_sample(
         &mut self,
         along: &Along,

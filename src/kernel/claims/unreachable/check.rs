@@ -123,8 +123,8 @@ fn sides(
         let polynomial = along.side(side, bound, arithmetic).at(values)?;
         let mut polynomial = with_products(&polynomial, &argument.products, arithmetic)?;
         for (unknown, form) in &argument.forms {
-            // It contains the unknown and has degree 1, so that every value of the unknown is a value of the form, whatever the
-            // others are.
+            // It contains the unknown and has degree 1, so that every value of the unknown is a value of the
+            // form, whatever the others are.
             let put = arithmetic.put(&polynomial, |variable| (variable == *unknown).then_some(form));
             polynomial = put.at(values)?;
         }
