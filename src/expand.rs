@@ -23,8 +23,7 @@ pub struct Coefficient {
 /// # Errors
 /// Where a coefficient exceeds what the formats allow.
 pub fn coefficients(statement: &Statement, basis: Basis) -> Result<Option<Vec<Coefficient>>, Limit> {
-    let control = Control::default();
-    coefficients_of(&Problem::of(statement, &control), basis, &control).map_err(|error| match error {
+    coefficients_of(&Problem::of(statement), basis, &Control::default()).map_err(|error| match error {
         ExpansionError::Limit(limit) => limit,
         ExpansionError::Interrupted(_) => unreachable!("nobody stops it"),
     })
@@ -41,7 +40,7 @@ pub enum ExpansionError {
     Interrupted(#[from] Interrupted),
 }
 
-/// The same of a condition that is expanded already.
+/// The same of a problem, whose condition is expanded once.
 ///
 /// # Errors
 /// [`ExpansionError`]
@@ -50,7 +49,7 @@ pub fn coefficients_of(
     basis: Basis,
     control: &Control,
 ) -> Result<Option<Vec<Coefficient>>, ExpansionError> {
-    let Some(form) = problem.condition()? else {
+    let Some(form) = problem.condition(control)? else {
         return Ok(None);
     };
     let entries: Vec<_> = match basis {

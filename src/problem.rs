@@ -1,5 +1,7 @@
 //! A statement as the prover has it: its field, the condition expanded, the equations.
 
+use std::sync::OnceLock;
+
 use crate::algebra::{MultiquadraticField, Polynomial, polynomial_from_exact};
 use crate::bezier::{BernsteinForm, surface_condition_within};
 use crate::certificate::Premise;
@@ -7,11 +9,11 @@ use crate::control::{Control, Interrupted};
 use crate::elimination::System;
 use crate::statement::{Statement, Subject};
 
-/// A statement, with what the prover computes from it once and everything else uses.
+/// A statement, with what the prover computes from it once, when it is first asked for, and everything else uses.
 #[derive(Debug, Clone)]
 pub struct Problem {
     statement: Statement,
-    condition: Result<Option<BernsteinForm>, Interrupted>,
+    condition: OnceLock<Option<BernsteinForm>>,
 }
 
 /// The field a statement is made over, for computing.
@@ -20,15 +22,9 @@ pub fn field_of(statement: &Statement) -> MultiquadraticField {
 }
 
 impl Problem {
-    /// Expands the condition. Costs as many products of polynomials as the surface has factors, times (emn)².
-    ///
-    /// Where that is stopped, all that needs the condition says so.
-    pub fn of(statement: &Statement, control: &Control) -> Self {
-        let condition = match statement.subject() {
-            Subject::Patch(patch) => surface_condition_within(field_of(statement), patch, control).map(Some),
-            Subject::System(_) => Ok(None),
-        };
-        Problem { statement: statement.clone(), condition }
+    /// A problem of which nothing is computed yet.
+    pub fn of(statement: &Statement) -> Self {
+        Problem { statement: statement.clone(), condition: OnceLock::new() }
     }
 
     /// The statement.
@@ -43,56 +39,74 @@ impl Problem {
 
     /// The form whose coefficients must vanish for the patch to lie on the surface; `None` for a bare system.
     ///
+    /// The first time it costs as many products of polynomials as the surface has factors, times (emn)².
+    ///
     /// # Errors
-    /// If its expansion was stopped.
-    pub fn condition(&self) -> Result<Option<&BernsteinForm>, Interrupted> {
-        self.condition.as_ref().map(Option::as_ref).map_err(Clone::clone)
+    /// [`Control::check`]; then nothing is kept.
+    pub fn condition(&self, control: &Control) -> Result<Option<&BernsteinForm>, Interrupted> {
+        if let Some(known) = self.condition.get() {
+            return Ok(known.as_ref());
+        }
+        let expanded = match self.statement.subject() {
+            Subject::Patch(patch) => Some(surface_condition_within(self.field(), patch, control)?),
+            Subject::System(_) => None,
+        };
+        Ok(self.condition.get_or_init(|| expanded).as_ref())
     }
 
-    /// An equation of the statement by its name; `None` for a name it does not have, for steps, and where the expansion
-    /// was stopped.
-    pub fn equation(&self, name: Premise) -> Option<Polynomial> {
+    /// An equation of the statement by its name; `None` for a name it does not have, and for steps.
+    ///
+    /// # Errors
+    /// [`Problem::condition`]
+    pub fn equation(&self, name: Premise, control: &Control) -> Result<Option<Polynomial>, Interrupted> {
         let index = |number: u32| usize::try_from(number).ok()?.checked_sub(1);
-        match name {
-            Premise::Coefficient(r, s) => {
-                let form = self.condition.as_ref().ok()?.as_ref()?;
+        Ok(match name {
+            Premise::Coefficient(r, s) => self.condition(control)?.and_then(|form| {
                 let (m, n) = form.bidegree();
                 (r <= m && s <= n).then(|| form.coefficient(r, s).clone())
-            }
+            }),
             Premise::Equation(number) => match self.statement.subject() {
                 Subject::System(all) => {
-                    all.get(index(number)?).map(|equation| polynomial_from_exact(self.field(), equation))
+                    index(number).and_then(|k| all.get(k)).map(|equation| self.read(equation))
                 }
                 Subject::Patch(_) => None,
             },
-            // Rabinowitsch: d ≠ 0 means that d·t = 1 for some t.
             Premise::Nonzero(number) => {
-                let k = index(number)?;
-                let assumed = polynomial_from_exact(self.field(), self.statement.nonzero().get(k)?);
-                let t = Polynomial::variable(self.field(), (self.statement.unknowns().len() + k) as u16);
-                let minus_one = Polynomial::constant(self.field().integer(-1));
-                Some(assumed.multiply(&t).add(&minus_one))
+                index(number).and_then(|k| Some(self.inverted(k, self.statement.nonzero().get(k)?)))
             }
             Premise::Step(_) => None,
-        }
+        })
     }
 
     /// The equations: the coefficients row by row, or those of the system, and the assumptions after them.
     ///
     /// # Errors
-    /// If the expansion of the condition was stopped.
-    pub fn system(&self) -> Result<System, Interrupted> {
-        let equations: Vec<Premise> = match self.statement.subject() {
+    /// [`Problem::condition`]
+    pub fn system(&self, control: &Control) -> Result<System, Interrupted> {
+        let mut equations: Vec<(Premise, Polynomial)> = match self.statement.subject() {
             Subject::Patch(_) => {
-                let all = self.condition()?.into_iter().flat_map(BernsteinForm::coefficients);
-                all.map(|(r, s, _)| Premise::Coefficient(r, s)).collect()
+                let all = self.condition(control)?.into_iter().flat_map(BernsteinForm::coefficients);
+                all.map(|(r, s, coefficient)| (Premise::Coefficient(r, s), coefficient.clone())).collect()
             }
-            Subject::System(all) => (1..).zip(all).map(|(number, _)| Premise::Equation(number)).collect(),
+            Subject::System(all) => {
+                (1..).map(Premise::Equation).zip(all.iter().map(|equation| self.read(equation))).collect()
+            }
         };
-        let assumptions = (1..).zip(self.statement.nonzero()).map(|(number, _)| Premise::Nonzero(number));
-        let named = equations.into_iter().chain(assumptions);
-        let system: Vec<_> = named.filter_map(|name| Some((name, self.equation(name)?))).collect();
+        for (k, assumed) in self.statement.nonzero().iter().enumerate() {
+            equations.push((Premise::Nonzero(k as u32 + 1), self.inverted(k, assumed)));
+        }
         let variables = self.statement.unknowns().len() + self.statement.nonzero().len();
-        Ok(System::new(self.field(), variables, system))
+        Ok(System::new(self.field(), variables, equations))
+    }
+
+    fn read(&self, polynomial: &crate::exact::Polynomial) -> Polynomial {
+        polynomial_from_exact(self.field(), polynomial)
+    }
+
+    /// Rabinowitsch: d ≠ 0, the assumption k, means that d·t = 1 for some t.
+    fn inverted(&self, k: usize, assumed: &crate::exact::Polynomial) -> Polynomial {
+        let t = Polynomial::variable(self.field(), (self.statement.unknowns().len() + k) as u16);
+        let minus_one = Polynomial::constant(self.field().integer(-1));
+        self.read(assumed).multiply(&t).add(&minus_one)
     }
 }

@@ -111,10 +111,10 @@ impl From<NoProof> for NoAnswer {
 /// # Errors
 /// [`ProveError`] where the checker disagrees. What exceeds its limits is undecided.
 pub fn prove(statement: &Statement, control: &Control) -> Result<Attempt, ProveError> {
-    solve(&Problem::of(statement, control), control)
+    solve(&Problem::of(statement), control)
 }
 
-/// The same for a problem whose condition is expanded already.
+/// The same for a problem, whose condition is expanded once.
 ///
 /// # Errors
 /// As [`prove`] has them.
@@ -143,7 +143,7 @@ fn interrupted(why: Interrupted) -> Attempt {
 
 fn search(problem: &Problem, control: &Control) -> Result<Attempt, NoAnswer> {
     control.check()?;
-    let (statement, system) = (problem.statement(), problem.system()?);
+    let (statement, system) = (problem.statement(), problem.system(control)?);
     let (derivation, outcome) = eliminate(&system, control);
     match outcome {
         Outcome::Unit(unit) => {

@@ -151,7 +151,7 @@ impl From<NoProof> for EnclosureError {
 }
 
 /// `(u, v) = (0.333333, 0.5)`, rounded.
-fn around(point: &[BigRational; 2]) -> String {
+pub(crate) fn around(point: &[BigRational; 2]) -> String {
     let [u, v] = point.each_ref().map(|x| num_traits::ToPrimitive::to_f64(x).unwrap_or(f64::NAN));
     format!("(u, v) = ({u:.6}, {v:.6})")
 }

@@ -35,6 +35,7 @@ mod unreachable;
 
 pub use best::{Approximation, ApproximationError, BestSoFar, Decimals, Search, approximate, error_of};
 pub use claim::{EndVerdict, Finding, judge};
+pub(crate) use enclosure::around;
 pub use enclosure::{Enclosure, EnclosureError, enclose, patch_at, quantity_of};
 pub use extremes::{Place, local_extremes};
 pub use fixed::fixed;

@@ -73,9 +73,9 @@ fn critical(
     free: Free,
     control: &Control,
 ) -> Result<Option<[BigRational; 2]>, Interrupted> {
-    let slopes = [form.derivative(0), form.derivative(1)];
-    let second = |i: usize, j: usize| slopes[i].as_ref().and_then(|slope| slope.derivative(j));
-    let curvatures = [[second(0, 0), second(0, 1)], [second(1, 0), second(1, 1)]];
+    let [of_u, of_v] = [0, 1].map(|axis| form.derivative(axis));
+    let second = |slope: &Option<ExactForm>, axis| slope.as_ref().and_then(|slope| slope.derivative(axis));
+    let (of_uu, of_uv, of_vv) = (second(&of_u, 0), second(&of_u, 1), second(&of_v, 1));
     let value = |form: &Option<ExactForm>, at: &[BigRational; 2]| match form {
         Some(form) => {
             BigRational::new(fixed(&form.at(at), 2 * BITS).to_bigint(), BigInt::one() << (2 * BITS))
@@ -84,19 +84,19 @@ fn critical(
     };
     for _ in 0..STEPS {
         control.check()?;
-        let [gu, gv] = [0, 1].map(|k| if free[k] { value(&slopes[k], &at) } else { BigRational::zero() });
-        // A coordinate that is given stays: its equation is Δ = 0.
-        let entry = |i: usize, j: usize| match (free[i] && free[j], i == j) {
-            (true, _) => value(&curvatures[i][j], &at),
-            (false, true) if !free[i] => BigRational::one(),
-            _ => BigRational::zero(),
+        // A coordinate that is given stays: its slope is 0, and its curvature 1.
+        let unless_given = |axis: usize, form: &Option<ExactForm>, given: i64| match free[axis] {
+            true => value(form, &at),
+            false => BigRational::from_integer(given.into()),
         };
-        let [[a, b], [c, d]] = [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]];
-        let determinant = &a * &d - &b * &c;
+        let (u, v) = (unless_given(0, &of_u, 0), unless_given(1, &of_v, 0));
+        let (uu, vv) = (unless_given(0, &of_uu, 1), unless_given(1, &of_vv, 1));
+        let uv = if free == [true, true] { value(&of_uv, &at) } else { BigRational::zero() };
+        let determinant = &uu * &vv - &uv * &uv;
         if determinant.is_zero() {
             return Ok(None);
         }
-        let step = [(&d * &gu - &b * &gv) / &determinant, (&a * &gv - &c * &gu) / &determinant];
+        let step = [(&vv * &u - &uv * &v) / &determinant, (&uu * &v - &uv * &u) / &determinant];
         let small =
             step.iter().all(|x| x.abs() < BigRational::new(BigInt::one(), BigInt::one() << (BITS - 24)));
         let unit = BigRational::from_integer(BigInt::one() << BITS);

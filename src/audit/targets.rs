@@ -42,7 +42,7 @@ impl Targets {
         basis: Basis,
         control: &Control,
     ) -> Result<Self, ExpansionError> {
-        let problem = Problem::of(statement, control);
+        let problem = Problem::of(statement);
         let of = |basis| coefficients_of(&problem, basis, control).map(Option::unwrap_or_default);
         let (monomial, bernstein) = (of(Basis::Monomial)?, of(Basis::Bernstein)?);
         let equations = match statement.subject() {

@@ -11,7 +11,7 @@ use crate::prove::{Attempt, Reason, solve};
 pub struct Proved {
     /// The statement, over a larger field if it was extended.
     pub source: Source,
-    /// The same, expanded.
+    /// The same, as the prover has it.
     pub problem: Problem,
     /// What came of it; its certificate is accepted by the checker.
     pub attempt: Attempt,
@@ -39,7 +39,7 @@ impl Proved {
 pub fn prove(mut source: Source, extend: bool, control: &Control) -> Result<Proved, Failure> {
     let mut extended = false;
     loop {
-        let problem = Problem::of(&source.statement, control);
+        let problem = Problem::of(&source.statement);
         let attempt = solve(&problem, control).map_err(Failure::of)?;
         match extension_of(&attempt).filter(|_| extend) {
             // Each time the field grows, and four radicands are the limit.

@@ -1,10 +1,9 @@
 //! Whether a net covers the polygon between its corners: the certificate, and what the checker makes of it.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use crate::algebra::{FieldElement, Integer, Polynomial};
-use crate::approximation::{NoTree, positive_tree};
+use crate::approximation::{NoTree, around, positive_tree};
 use crate::bezier::BernsteinForm;
 use crate::certificate::{Argument, Cover, EdgeTree, Tree};
 use crate::checker::CheckError;
@@ -32,7 +31,7 @@ pub enum CoverError {
         zero: bool,
     },
     /// Positive wherever it was looked at, but not shown to be so everywhere.
-    #[error("{what} is not shown to be positive on the whole square{}", around(near.as_deref()))]
+    #[error("{what} is not shown to be positive on the whole square{}", why_not(near.as_deref()))]
     NotShown {
         /// Of what.
         what: &'static str,
@@ -121,10 +120,11 @@ fn positive(
     })
 }
 
-fn around(near: Option<&[BigRational; 2]>) -> String {
-    let Some(near) = near else { return format!(" by {BOXES} boxes") };
-    let [u, v] = near.each_ref().map(|x| x.to_f64().unwrap_or(f64::NAN));
-    format!(": it comes too near to 0 around (u, v) = ({u:.6}, {v:.6})")
+fn why_not(near: Option<&[BigRational; 2]>) -> String {
+    match near {
+        Some(near) => format!(": it comes too near to 0 around {}", around(near)),
+        None => format!(" by {BOXES} boxes"),
+    }
 }
 
 fn vector([x, y, z, _]: &Point) -> Vector {

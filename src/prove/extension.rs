@@ -17,8 +17,6 @@ pub struct Extension {
     pub radicands: Vec<u32>,
     /// For coordinates that have no value in the smaller field: their values in the larger one, by unknown.
     pub values: Vec<(usize, Vec<FieldElement>)>,
-    /// Where there are infinitely many zeros, the values that were chosen first, by unknown.
-    pub chosen: Vec<(usize, FieldElement)>,
 }
 
 /// Looks for a larger field in which the system, with finitely many zeros and none in K, has one.
@@ -67,7 +65,7 @@ fn within(
                 values.push((unknown, of_unknown));
             }
         }
-        return Ok(Some(Extension { radicands: larger.radicands().to_vec(), values, chosen: Vec::new() }));
+        return Ok(Some(Extension { radicands: larger.radicands().to_vec(), values }));
     }
     match closure {
         Some(closure) => find(statement, &lifted, &closure, control),

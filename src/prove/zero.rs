@@ -178,11 +178,7 @@ pub(super) fn undecided(
     let isolated = tried.as_ref().and_then(|tried| tried.isolated.as_ref());
     let (of, its_closure) = isolated.map_or((system, &closure), |found| (&found.system, &found.closure));
     // Optional: that it was interrupted takes nothing from what is known.
-    let mut extension = super::extension::find(statement, of, its_closure, control).ok().flatten();
-    if let (Some(extension), Some(isolated)) = (&mut extension, isolated) {
-        let chosen = isolated.chosen.iter().map(|(unknown, value)| (usize::from(*unknown), value.clone()));
-        extension.chosen = chosen.collect();
-    }
+    let extension = super::extension::find(statement, of, its_closure, control).ok().flatten();
     closure.count_real_roots(control);
     Attempt::Undecided(Reason::Consistent(Box::new(Consistent { closure, without_patch, tried, extension })))
 }

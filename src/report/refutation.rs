@@ -222,7 +222,7 @@ fn contradiction(
     let [equation] = equations.as_slice() else {
         return None;
     };
-    let polynomial = polynomial_to_exact(&problem.equation(*equation)?).ok()?;
+    let polynomial = polynomial_to_exact(&problem.equation(*equation, control).ok()??).ok()?;
     let at: Vec<Polynomial> = (0u16..)
         .zip(values)
         .map(|(index, value)| value.clone().unwrap_or_else(|| Polynomial::variable(index)))

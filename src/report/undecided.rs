@@ -78,7 +78,7 @@ pub(super) fn reason_document(statement: &Statement, reason: &Reason) -> Result<
             }
             if let Some(extension) = extension {
                 document.gap();
-                document.paragraph(0, extension_text(statement, extension)?);
+                document.paragraph(0, extension_text(statement, extension, tried.as_ref())?);
             }
         }
     }
@@ -111,8 +111,12 @@ fn tried_text(statement: &Statement, tried: &Tried) -> String {
     )
 }
 
-/// The field in which there is a zero.
-fn extension_text(statement: &Statement, extension: &Extension) -> Result<String, Limit> {
+/// The field in which there is a zero; where there are infinitely many, after the choice that leaves finitely many.
+fn extension_text(
+    statement: &Statement,
+    extension: &Extension,
+    tried: Option<&Tried>,
+) -> Result<String, Limit> {
     let mut ring = statement.ring();
     let Ok(field) = Radicands::new(extension.radicands.clone()) else { return Ok(String::new()) };
     ring.field = field;
@@ -131,8 +135,9 @@ fn extension_text(statement: &Statement, extension: &Extension) -> Result<String
         found.push(format!("{name} = {value}"));
     }
     let mut chosen = Vec::new();
-    for (unknown, value) in &extension.chosen {
-        let Some(name) = statement.unknowns().get(*unknown) else { continue };
+    let isolated = tried.and_then(|tried| tried.isolated.as_ref());
+    for (unknown, value) in isolated.into_iter().flat_map(|isolated| &isolated.chosen) {
+        let Some(name) = statement.unknowns().get(usize::from(*unknown)) else { continue };
         chosen.push(format!("{name} = {}", spell(value)?));
     }
     let chosen = if chosen.is_empty() { String::new() } else { format!("With {}: ", chosen.join(", ")) };

@@ -15,8 +15,8 @@ use prove_cap::statement::{Statement, Subject};
 use prove_cap::{catalogue, expand};
 
 fn condition(statement: &Statement) -> BernsteinForm {
-    let problem = Problem::of(statement, &Control::default());
-    problem.condition().unwrap().unwrap().clone()
+    let problem = Problem::of(statement);
+    problem.condition(&Control::default()).unwrap().unwrap().clone()
 }
 
 /// A statement with a random net in two unknowns and a random choice of surface and convention.

@@ -7,8 +7,8 @@ use prove_cap::problem::Problem;
 use prove_cap::statement::Statement;
 
 fn condition(statement: &Statement) -> BernsteinForm {
-    let problem = Problem::of(statement, &Control::default());
-    problem.condition().unwrap().unwrap().clone()
+    let problem = Problem::of(statement);
+    problem.condition(&Control::default()).unwrap().unwrap().clone()
 }
 
 fn family(name: &str) -> Cap {

@@ -1,7 +1,6 @@
 //! The engine on systems whose answer is known for another reason.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::Ordering;
 
 use prove_cap::checker::{Claim, ExactNet, Solution};
 use prove_cap::control::{Control, Interrupted, Why};
@@ -9,6 +8,8 @@ use prove_cap::elimination::{Closure, Outcome, Undecided, eliminate};
 use prove_cap::problem::Problem;
 use prove_cap::prove::{Attempt, Reason, prove};
 use prove_cap::statement::Statement;
+
+use crate::stopping::stopping_at;
 
 fn system(radicands: &str, unknowns: &str, nonzero: &str, polynomials: &[&str]) -> Statement {
     let names: Vec<&str> = unknowns.split_whitespace().collect();
@@ -49,7 +50,7 @@ fn counted(closure: &Closure) -> Answer {
 
 /// What elimination says, before zeros in K are looked for.
 fn zeros(statement: &Statement) -> Answer {
-    match eliminate(&Problem::of(statement, &Control::default()).system().unwrap(), &Control::default()).1 {
+    match eliminate(&Problem::of(statement).system(&Control::default()).unwrap(), &Control::default()).1 {
         Outcome::Open(Undecided::Consistent(closure)) => counted(&closure),
         _ => Answer::Other,
     }
@@ -259,10 +260,8 @@ fn time_and_the_user_stop_the_work() {
     // A clock that has run out when it is looked at for the n-th time; then nobody looks again.
     let mut told = None;
     for n in [1, 10, 100, 1000, 10_000] {
-        let looks = Arc::new(AtomicUsize::new(0));
-        let counted = looks.clone();
-        let clock = move || (counted.fetch_add(1, Ordering::Relaxed) + 1 >= n).then_some(Why::Time);
-        let late = stopped(&Control::watched(clock));
+        let (control, looks) = stopping_at(n);
+        let late = stopped(&control);
         assert_eq!(late.why, Why::Time);
         // Two threads may look at once.
         assert!((n..n + 8).contains(&looks.load(Ordering::Relaxed)), "{n}: {looks:?}");

@@ -16,7 +16,7 @@ use prove_cap::prove::{Attempt, Reason, prove};
 use prove_cap::statement::Statement;
 
 /// A control that stops at the n-th look, and the number of looks.
-fn stopping_at(n: usize) -> (Control, Arc<AtomicUsize>) {
+pub(crate) fn stopping_at(n: usize) -> (Control, Arc<AtomicUsize>) {
     let looks = Arc::new(AtomicUsize::new(0));
     let counted = looks.clone();
     let control =

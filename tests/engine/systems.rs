@@ -41,8 +41,7 @@ impl System {
             self.polynomials
         );
         let statement = Statement::read(&text).unwrap_or_else(|error| panic!("{error}"));
-        match eliminate(&Problem::of(&statement, &Control::default()).system().unwrap(), &Control::default())
-            .1
+        match eliminate(&Problem::of(&statement).system(&Control::default()).unwrap(), &Control::default()).1
         {
             Outcome::Unit(_) => match prove(&statement, &Control::default()).unwrap() {
                 Attempt::Proved { proof, .. } if proof.theorem().kind() == "impossible" => Answer::Impossible,

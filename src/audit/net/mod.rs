@@ -118,8 +118,7 @@ fn size(statement: &Statement, value: &Polynomial) -> Option<FieldElement> {
 
 /// How many coefficients `c[r,s]` there are, and those that do not vanish.
 fn residual_of(statement: &Statement, control: &Control) -> Result<(usize, Vec<Coefficient>), AuditError> {
-    let all =
-        coefficients_of(&Problem::of(statement, control), Basis::Bernstein, control)?.unwrap_or_default();
+    let all = coefficients_of(&Problem::of(statement), Basis::Bernstein, control)?.unwrap_or_default();
     let count = all.len();
     let residual = all.into_iter().filter(|c| !c.value.is_zero()).map(|c| (c.index.0, c.index.1, c.value));
     Ok((count, residual.collect()))
